@@ -1,0 +1,38 @@
+# Two commands: `make` reproduces the whole study, `make test` runs the tests.
+# Both first build .venv from the hash-pinned requirements.lock.
+
+SHELL := /bin/sh
+PYTHON ?= python3
+export PATH := $(CURDIR)/.venv/bin:$(PATH)
+
+.PHONY: study test lint lock clean
+
+study: .venv/ready
+	snakemake
+
+test: .venv/ready lint
+	pytest
+
+lint: .venv/ready
+	ruff check .
+	ruff format --check .
+	snakefmt --check Snakefile workflow
+	snakemake --lint
+
+# --compile-bytecode: the study starts many short processes, and each would
+# otherwise compile what it imports where the environment forbids .pyc files.
+.venv/ready: requirements.lock pyproject.toml
+	$(PYTHON) -m venv .venv
+	awk '/^uv==/ {on = 1; print; next} /^[^ ]/ {on = 0} on' requirements.lock > .venv/uv.txt
+	pip install --quiet --disable-pip-version-check --require-hashes -r .venv/uv.txt
+	uv pip sync --quiet --python .venv --require-hashes --compile-bytecode requirements.lock
+	uv pip install --quiet --python .venv --no-deps --no-build-isolation --editable .
+	touch .venv/ready
+
+# Rewrites the lock file after a change of the dependencies in pyproject.toml.
+lock: .venv/ready
+	uv pip compile --quiet --universal --generate-hashes --no-header --no-annotate --all-extras \
+		--python-version 3.11 pyproject.toml --output-file requirements.lock
+
+clean:
+	rm -rf results data/library .snakemake

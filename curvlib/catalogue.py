@@ -1,0 +1,50 @@
+"""A folder of Python files is the list of what there is: one file, one estimator or surface."""
+
+import importlib
+import importlib.util
+import sys
+from pathlib import Path
+
+from .errors import InputError, check_name
+
+
+class Catalogue:
+    """The modules of one package, by file stem; files that start with `_` are helpers."""
+
+    def __init__(self, what: str, package: str, folder: str):
+        self.what, self.package, self.folder = what, package, Path(folder)
+
+    def names(self) -> list[str]:
+        """Names found in the folder, sorted."""
+        return sorted(p.stem for p in self.folder.glob("*.py") if not p.stem.startswith("_"))
+
+    def path(self, name: str) -> Path:
+        """The file behind a name; a path to a .py file outside the package stands for itself.
+
+        Raises InputError for an unknown name or a path that is not a file.
+        """
+        if str(name).endswith(".py"):
+            path = Path(name)
+            if not path.is_file():
+                raise InputError(f"{self.what} file {str(name)!r} does not exist")
+            if path.stem in self.names():
+                raise InputError(
+                    f"{self.what} file {str(name)!r} has the name of one in the package; rename it"
+                )
+            return path
+        check_name(self.what, name, self.names())
+        return self.folder / f"{name}.py"
+
+    def module(self, name: str):
+        """The imported module behind a name or path; errors as in `path`."""
+        path = self.path(name)
+        if path.parent == self.folder:
+            return importlib.import_module(f"{self.package}.{path.stem}")
+        # Keyed by its path: two strangers' files may share a stem.
+        key = f"{self.package}:{path.resolve()}"
+        if key not in sys.modules:
+            spec = importlib.util.spec_from_file_location(path.stem, path)
+            module = importlib.util.module_from_spec(spec)
+            spec.loader.exec_module(module)
+            sys.modules[key] = module
+        return sys.modules[key]

@@ -1,0 +1,19 @@
+"""The estimators: one file each, found by listing this folder.
+
+A file holds LABEL and STYLE (for legends) and
+
+    def estimate(ring, option: Literal["default", "other"] = "default"):
+        return K, H
+
+with arrays (m,) for a batch of m one-rings (see curvlib.ring), or None for a quantity it does
+not estimate. The keyword options are its readings, their Literal the valid values. A first
+parameter called `mesh` instead of `ring` asks for the whole curvlib.Mesh, and arrays (V,).
+An estimator whose value depends on which way round the ring is walked says so in ONE_SIDED.
+"""
+
+from ..catalogue import Catalogue
+
+_catalogue = Catalogue("estimator", __name__, __path__[0])
+names = _catalogue.names
+path = _catalogue.path
+module = _catalogue.module

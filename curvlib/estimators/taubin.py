@@ -1,0 +1,29 @@
+"""Taubin's approach, section 3.5."""
+
+from ..ring import Normal, preceding
+
+LABEL = "Taubin"
+STYLE = {"color": "#CC79A7", "marker": "D", "linestyle": "-"}
+
+
+def estimate(ring, normal: Normal = "uniform"):
+    """K and H of M = sum w_i kn_i T_i T_i^t (3.22), w_i by the area of the triangles at e_i."""
+    return from_tensor(edge_areas(ring), ring.kn(normal), ring.directions(normal))
+
+
+def edge_areas(ring):
+    """Area of the two triangles that share e_i, (n, m)."""
+    return preceding(ring.areas) + ring.areas
+
+
+def from_tensor(weights, kn, T):
+    """K and H by (3.21) with k1 = 3 m11 - m22 and k2 = 3 m22 - m11.
+
+    The weights (n, m) are normalised here. With trace t and determinant d of M, whose
+    eigenvalues are m11 and m22, k1 k2 = 16 d - 3 t^2 and (k1 + k2) / 2 = t.
+    """
+    x, y = T
+    w = weights / weights.sum(0) * kn
+    m11, m12, m22 = (w * x * x).sum(0), (w * x * y).sum(0), (w * y * y).sum(0)
+    t, d = m11 + m22, m11 * m22 - m12 * m12
+    return 16 * d - 3 * t * t, t

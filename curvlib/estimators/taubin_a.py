@@ -1,0 +1,20 @@
+"""Taubin A (constant integration), section 3.6: weights by angle instead of area."""
+
+from typing import Literal
+
+from ..ring import Normal, preceding
+from . import taubin
+
+LABEL = "Taubin A"
+STYLE = {"color": "#CC79A7", "marker": "P", "linestyle": "--"}
+ONE_SIDED = "w_i is the angle to the next neighbour; angles='centred' takes both sides"
+
+
+def estimate(
+    ring,
+    angles: Literal["one-sided", "centred"] = "one-sided",
+    normal: Normal = "uniform",
+):
+    """(3.22) with w_i ~ angle(v_i, v, v_{i+1}), or ~ the angles on both sides of e_i."""
+    w = ring.alpha if angles == "one-sided" else preceding(ring.alpha) + ring.alpha
+    return taubin.from_tensor(w, ring.kn(normal), ring.directions(normal))

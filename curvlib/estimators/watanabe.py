@@ -1,0 +1,36 @@
+"""The approach of Watanabe and Belyaev, section 3.4."""
+
+import math
+from typing import Literal
+
+import numpy as np
+
+from ..ring import Normal, following, preceding
+
+LABEL = "Watanabe-Belyaev"
+STYLE = {"color": "#009E73", "marker": "^", "linestyle": "-"}
+
+
+def estimate(
+    ring,
+    normal: Normal = "area",
+    angles: Literal["spatial", "projected"] = "spatial",
+):
+    """H by (3.17) and K by (3.18), the trapezoid rule for the integrals (3.14).
+
+    phi_i = angle(v_i, v, v_{i+1}), in space or between the tangent directions (3.23), so that
+    the weight of kn_i is (phi_{i-1} + phi_i) / 2.
+    """
+    kn = ring.kn(normal)
+    phi = ring.alpha if angles == "spatial" else _between(ring.directions(normal))
+    w = (preceding(phi) + phi) / 2
+    H = (kn * w).sum(0) / (2 * math.pi)
+    K = 3 * H * H - (kn * kn * w).sum(0) / math.pi
+    return K, H
+
+
+def _between(T):
+    """Angle from T_i to T_{i+1} about the normal, in (-pi, pi]: they sum to 2 pi around v."""
+    (x, y), (x1, y1) = T, following(T)
+    # In the canonical frame, seen along -N, the ring runs counter-clockwise about N.
+    return np.arctan2(x * y1 - y * x1, x * x1 + y * y1)

@@ -1,0 +1,15 @@
+"""Watanabe A, section 3.6: base Watanabe with tangent directions and the uniform normal."""
+
+from ..ring import Normal
+from . import watanabe
+
+LABEL = "Watanabe A"
+STYLE = {"color": "#009E73", "marker": "<", "linestyle": "--"}
+
+
+def estimate(ring, normal: Normal = "uniform"):
+    """(3.17) and (3.18) with the angles between the tangent directions (3.23).
+
+    The curvature of the circle through v and v_i that touches the tangent plane is (3.16).
+    """
+    return watanabe.estimate(ring, normal=normal, angles="projected")

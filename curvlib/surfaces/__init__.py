@@ -1,0 +1,18 @@
+"""The surfaces of the study: one file each, found by listing this folder.
+
+A file holds LABEL (for legends) and build(), which returns a geomdl NURBS surface whose
+normal S_u x S_v points outward. Closed directions and poles are read off the control net.
+"""
+
+from ..catalogue import Catalogue
+from ..nurbs import Surface
+
+_catalogue = Catalogue("surface", __name__, __path__[0])
+names = _catalogue.names
+path = _catalogue.path
+
+
+def load(name: str) -> Surface:
+    """The surface of that name, or of a path to a .py file; InputError if there is none."""
+    module = _catalogue.module(name)
+    return Surface(module.build(), name=path(name).stem, label=module.LABEL)

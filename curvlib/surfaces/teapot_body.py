@@ -1,0 +1,13 @@
+"""Body of the Utah teapot with its rim, open at the top and at the bottom.
+
+Its circles are cubic near-circles (radius +0.41 %): it is no exact surface of revolution.
+"""
+
+from ._shapes import teapot
+
+LABEL = "Teapot body"
+
+
+def build():
+    """u in [0, 3] runs from the rim (u <= 1) down to the bottom, v in [0, 4] around."""
+    return teapot("body")

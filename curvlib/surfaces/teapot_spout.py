@@ -1,0 +1,13 @@
+"""Spout of the Utah teapot: tube (u <= 1) and lip (u >= 1), open at both ends.
+
+The two meet with a common normal only: K jumps by up to 17.5 at u = 1.
+"""
+
+from ._shapes import teapot
+
+LABEL = "Teapot spout"
+
+
+def build():
+    """u in [0, 2] runs from the body to the lip, v in [0, 2] around."""
+    return teapot("spout")
