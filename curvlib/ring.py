@@ -76,7 +76,7 @@ class Ring:
     def beta(self):
         """Signed dihedral angle at e_i, between N_{i-1} and N_i, (n, m): convex positive."""
         before, after = preceding(self.facet_normals), self.facet_normals
-        across = dot(cross(before, after), self.e)
+        across = dot(cross(after, before), self.e)
         return np.arctan2(across / self.lengths, dot(before, after))
 
     @cached_property

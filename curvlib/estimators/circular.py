@@ -49,7 +49,7 @@ def _chosen(i, j, angle, n, pairs):
         gap = np.minimum(j - i, n - (j - i))
         use = np.broadcast_to((gap == n // 2)[:, None], angle.shape)
     else:
-        use = angle > np.deg2rad(int(pairs.removeprefix("above-")))
+        use = angle > np.deg2rad(int(pairs.removeprefix("above-"))) + TIE
     for _ in range(CIRCLES):
         few = use.sum(0) < CIRCLES
         if not few.any():
