@@ -8,14 +8,17 @@ its normal (the unit sphere has K = +1, H = +1); k1 >= k2; values are pointwise,
 integrated over a cell; undefined is NaN.
 """
 
+# The packages come first: imported later, they would take the place of the functions that
+# have their names.
+from . import estimators, surfaces
+from .catalogue import estimators as _estimators
+from .catalogue import surfaces as _surfaces
 from .errors import InputError
 from .estimation import Estimates, estimate
-from .estimators import names as estimators
 from .library import load_library
 from .mesh import Mesh
 from .nurbs import Curvature, Surface
 from .surfaces import load as surface
-from .surfaces import names as surfaces
 from .tessellation import tessellate
 
 __version__ = "0.1.0"
@@ -33,3 +36,6 @@ __all__ = [
     "surfaces",
     "tessellate",
 ]
+
+estimators = _estimators.names  # noqa: F811
+surfaces = _surfaces.names  # noqa: F811

@@ -11,8 +11,10 @@ from .errors import InputError, check_name
 class Catalogue:
     """The modules of one package, by file stem; files that start with `_` are helpers."""
 
-    def __init__(self, what: str, package: str, folder: str):
-        self.what, self.package, self.folder = what, package, Path(folder)
+    def __init__(self, what: str, folder: str):
+        self.what = what
+        self.folder = Path(__file__).parent / folder
+        self.package = f"{__package__}.{folder}"
 
     def names(self) -> list[str]:
         """Names found in the folder, sorted."""
@@ -48,3 +50,7 @@ class Catalogue:
             spec.loader.exec_module(module)
             sys.modules[key] = module
         return sys.modules[key]
+
+
+estimators = Catalogue("estimator", "estimators")
+surfaces = Catalogue("surface", "surfaces")

@@ -6,7 +6,7 @@ from typing import get_args
 
 import numpy as np
 
-from . import estimators
+from .catalogue import estimators
 from .errors import check_name
 from .mesh import as_mesh
 from .ring import Ring
@@ -77,6 +77,6 @@ def rings(mesh):
 
 def _store(result, at, values):
     """The one place where undefined becomes NaN."""
-    for target, value in zip(result, values, strict=True):
+    for target, value in zip(result, values):
         if value is not None:
             target[at] = np.where(np.isfinite(value), value, np.nan)

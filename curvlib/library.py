@@ -13,14 +13,15 @@ from pathlib import Path
 import numpy as np
 
 from .errors import InputError, check_name
+from .estimation import Estimates
 from .mesh import FIELDS, Mesh
 from .nurbs import Surface
 from .tessellation import tessellate
 
 CONVENTIONS = (
-    "Values are exact at the vertices, pointwise; lengths in the unit of the mesh, K in 1/length^2, "
-    "H in 1/length; H > 0 where the surface bends away from its outward normal; NaN where the "
-    "surface is not C^2"
+    "Values are exact at the vertices, pointwise; lengths in the unit of the mesh, K in "
+    "1/length^2, H in 1/length; H > 0 where the surface bends away from its outward normal; NaN "
+    "where the surface is not C^2"
 )
 
 
@@ -51,15 +52,17 @@ def text_name(diagonal: str, n: int) -> str:
     return f"{diagonal}-{n:03d}.txt"
 
 
-def load_library(path) -> "Library":
-    """The meshes in a library's folder or in one of its files; no mesh is read yet.
+def load_library(*paths) -> "Library":
+    """The meshes in a library's folder or in single files of it; no mesh is read yet.
 
     Raises InputError where there is no library or a file of it cannot be read.
     """
-    path = Path(path)
-    files = sorted(path.glob("*.h5")) if path.is_dir() else [path]
-    if not files or not files[0].exists():
-        raise InputError(f"{path}: no library here; `snakemake` makes one in data/library")
+    files = []
+    for path in map(Path, paths):
+        found = sorted(path.glob("*.h5")) if path.is_dir() else [path] if path.exists() else []
+        if not found:
+            raise InputError(f"{path}: no library here; `snakemake` makes one in data/library")
+        files += found
     return Library(files)
 
 
@@ -83,7 +86,7 @@ class Library(Mapping):
         return len(self._files)
 
     def __getitem__(self, key) -> Mesh:
-        surface, diagonal, n = key
+        _, diagonal, n = key
         with open_hdf5(self._files[key]) as file:
             group = file[f"{diagonal}/{n}"]
             fields = {name: group[name][()] for name in FIELDS}
@@ -145,3 +148,28 @@ def _write_text(path, surface, n, diagonal, mesh):
     )
     rows = np.column_stack((mesh.vertices, mesh.K, mesh.H**2))
     np.savetxt(path, rows, fmt="%.17g", header=header)
+
+
+def write_estimates(path, results, **attributes) -> None:
+    """Write estimates, an iterable of (mesh key, variant, Estimates), whole or not at all."""
+    import h5py
+
+    with whole_file(path) as part, h5py.File(part, "w") as file:
+        file.attrs.update(attributes)
+        for (surface, diagonal, n), variant, result in results:
+            group = file.create_group(f"{surface}/{diagonal}/{n}/{variant}")
+            for quantity, values in result._asdict().items():
+                group.create_dataset(quantity, data=values)
+
+
+def read_estimates(path) -> dict:
+    """(mesh key, variant) -> Estimates, from a file of `write_estimates`."""
+    results = {}
+    with open_hdf5(path) as file:
+        for surface, diagonals in file.items():
+            for diagonal, resolutions in diagonals.items():
+                for n, variants in resolutions.items():
+                    for variant, group in variants.items():
+                        values = (group[quantity][()] for quantity in Estimates._fields)
+                        results[(surface, diagonal, int(n)), variant] = Estimates(*values)
+    return results

@@ -32,7 +32,9 @@ class Mesh:
         count = len(self.vertices)
         bad = ~np.isfinite(self.vertices).all(1)
         if bad.any():
-            raise InputError(f"vertices: vertex {np.argmax(bad)} has a coordinate that is not finite")
+            raise InputError(
+                f"vertices: vertex {np.argmax(bad)} has a coordinate that is not finite"
+            )
         bad = ((self.faces < 0) | (self.faces >= count)).any(1)
         if bad.any():
             row = int(np.argmax(bad))
@@ -135,7 +137,7 @@ def as_mesh(obj) -> Mesh:
         raise InputError(f"pyvista cannot wrap {type(obj).__name__}: {error}") from None
     if not isinstance(data, pyvista.PolyData) or not data.is_all_triangles:
         raise InputError(
-            f"{type(data).__name__} is no triangle mesh; pass .extract_surface().triangulate() of it"
+            f"{type(data).__name__} is no triangle mesh; pass its .extract_surface().triangulate()"
         )
     return Mesh(np.asarray(data.points), data.regular_faces)
 

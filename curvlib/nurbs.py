@@ -90,7 +90,7 @@ class Surface:
 
     def _arguments(self, u, v):
         u, v = np.broadcast_arrays(np.asarray(u, float), np.asarray(v, float))
-        for letter, t, (low, high) in zip("uv", (u, v), self.domain, strict=True):
+        for letter, t, (low, high) in zip("uv", (u, v), self.domain):
             outside = ~((t >= low) & (t <= high))
             if outside.any():
                 raise InputError(

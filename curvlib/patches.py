@@ -1,8 +1,9 @@
 """Evaluation of a NURBS surface and its derivatives, span by span.
 
 Every pair of knot spans is expanded once into the Taylor polynomial of the homogeneous net
-about the centre of the spans, or about the pole where they touch one. Evaluation is then two nested Horner schemes over arrays,
-one-sided by the choice of span, and made of + - * / alone: the same bytes on every machine.
+about the centre of the spans, or about the pole where they touch one. Evaluation is then two
+nested Horner schemes over arrays, one-sided by the choice of span, and made of + - * / alone:
+the same bytes on every machine.
 """
 
 import math
@@ -47,7 +48,9 @@ class Patches:
                 # Measured from its own corner, so that next to a pole S - origin, and with it
                 # S_u, is small with a small relative error.
                 at = (slice(i, i + basis_u.shape[1]), slice(j, j + basis_v.shape[1]))
-                ends = [-1 if c == b[-1] else 0 for c, b in ((centre_u, breaks_u), (centre_v, breaks_v))]
+                ends = [
+                    -1 if c == b[-1] else 0 for c, b in ((centre_u, breaks_u), (centre_v, breaks_v))
+                ]
                 origin = net[at][ends[0], ends[1]]
                 local = np.concatenate(((net[at] - origin) * weights[at], weights[at]), -1)
                 local = (basis_u[:, :, None, None] * local).sum(1)
@@ -106,7 +109,7 @@ def _horner(coefficients, x, order):
         for k in range(order, 0, -1):
             p[k] = p[k] * x + p[k - 1]
         p[0] = p[0] * x + c
-    return [factor * value for factor, value in zip((1, 1, 2), p, strict=False)]
+    return [factor * value for factor, value in zip((1, 1, 2), p)]
 
 
 def _homogeneous(coefficients, x, y, order):

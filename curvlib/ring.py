@@ -93,7 +93,7 @@ class Ring:
         return np.where(acute, voronoi, obtuse).sum(0)
 
     def normal(self, kind: Normal):
-        """N_v, (3, m) unit: mean of the facet normals (3.3), weighted by area, or the surface's own.
+        """N_v, (3, m) unit: mean of the facet normals (3.3), plain or by area, or the exact one.
 
         InputError for "exact" where the mesh has no normals.
         """

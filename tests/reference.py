@@ -62,14 +62,20 @@ class Ring:
         if normal == "exact" and exact_normal is None:
             raise ValueError("normal='exact' needs normals")
         by_area = sum(a * m for a, m in zip(self.areas, self.normals) if a > 0)
-        self.N = unit({"uniform": sum(self.normals) / self.n,  # eq. 3.3
-                       "area": by_area, "exact": exact_normal}[normal])
+        self.N = unit(
+            {
+                "uniform": sum(self.normals) / self.n,  # eq. 3.3
+                "area": by_area,
+                "exact": exact_normal,
+            }[normal]
+        )
         self.x = unit(np.cross(np.eye(3)[np.argmin(np.abs(self.N))], self.N))
         self.y = np.cross(self.N, self.x)  # section 3.1: arbitrary x, y = z cross x
         self.T = [unit((np.eye(3) - np.outer(self.N, self.N)) @ -e) for e in self.e]  # eq. 3.23
         self.projected_angles = [  # from T_i to T_i+1 about N, in (-pi, pi]; + 0.0 removes -0.0
             atan2(np.dot(self.N, np.cross(t, u)) + 0.0, np.dot(t, u))
-            for t, u in zip(self.T, self.T[1:] + self.T[:1])]
+            for t, u in zip(self.T, self.T[1:] + self.T[:1])
+        ]
 
     def chord_curvatures(self):
         """Normal curvatures towards the neighbours, eq. 3.16."""
@@ -99,7 +105,7 @@ class Ring:
         w = [(phi[i - 1] + phi[i]) / 2 for i in range(self.n)]
         H = sum(w[i] * kn[i] for i in range(self.n)) / (2 * pi)
         mean_square = sum(w[i] * kn[i] ** 2 for i in range(self.n)) / (2 * pi)
-        return 2 * (3 / 2 * H ** 2 - mean_square), -H
+        return 2 * (3 / 2 * H**2 - mean_square), -H
 
     def taubin_matrix(self, kn, weights):
         """Section 3.5: the matrix of eq. 3.22, its eigenvalues, and eq. 3.21 (corrected)."""
@@ -233,8 +239,20 @@ def ring_of(faces, v):
 
 def estimate(vertices, faces, name, normals=None, only=None, **options):
     """Arrays (K, H) over the vertices, or over those in `only`; NaN where the ring is open."""
-    estimator = {f.__name__: f for f in (paraboloid, circular, gauss_bonnet, watanabe, watanabe_a,
-                                         watanabe_b, taubin, taubin_a, taubin_b)}[name]
+    estimator = {
+        f.__name__: f
+        for f in (
+            paraboloid,
+            circular,
+            gauss_bonnet,
+            watanabe,
+            watanabe_a,
+            watanabe_b,
+            taubin,
+            taubin_a,
+            taubin_b,
+        )
+    }[name]
     K, H = np.full(len(vertices), NAN), np.full(len(vertices), NAN)
     incident = [[] for _ in vertices]
     for face in faces:

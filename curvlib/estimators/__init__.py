@@ -10,10 +10,3 @@ not estimate. The keyword options are its readings, their Literal the valid valu
 parameter called `mesh` instead of `ring` asks for the whole curvlib.Mesh, and arrays (V,).
 An estimator whose value depends on which way round the ring is walked says so in ONE_SIDED.
 """
-
-from ..catalogue import Catalogue
-
-_catalogue = Catalogue("estimator", __name__, __path__[0])
-names = _catalogue.names
-path = _catalogue.path
-module = _catalogue.module

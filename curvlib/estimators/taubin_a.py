@@ -6,7 +6,7 @@ from ..ring import Normal, preceding
 from . import taubin
 
 LABEL = "Taubin A"
-STYLE = {"color": "#CC79A7", "marker": "P", "linestyle": "--"}
+STYLE = {"color": "#CC79A7", "marker": "P", "linestyle": "--", "markerfacecolor": "white"}
 ONE_SIDED = "w_i is the angle to the next neighbour; angles='centred' takes both sides"
 
 

@@ -6,7 +6,7 @@ from ..ring import Normal, following
 from . import taubin
 
 LABEL = "Taubin B"
-STYLE = {"color": "#CC79A7", "marker": "X", "linestyle": ":"}
+STYLE = {"color": "#CC79A7", "marker": "X", "linestyle": ":", "markerfacecolor": "white"}
 ONE_SIDED = "kn_i is averaged with that of the next neighbour"
 
 

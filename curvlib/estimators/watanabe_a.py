@@ -4,7 +4,7 @@ from ..ring import Normal
 from . import watanabe
 
 LABEL = "Watanabe A"
-STYLE = {"color": "#009E73", "marker": "<", "linestyle": "--"}
+STYLE = {"color": "#009E73", "marker": "<", "linestyle": "--", "markerfacecolor": "white"}
 
 
 def estimate(ring, normal: Normal = "uniform"):

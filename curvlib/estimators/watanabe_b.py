@@ -3,7 +3,7 @@
 from ..ring import Normal
 
 LABEL = "Watanabe B"
-STYLE = {"color": "#009E73", "marker": ">", "linestyle": ":"}
+STYLE = {"color": "#009E73", "marker": ">", "linestyle": ":", "markerfacecolor": "white"}
 
 
 def estimate(ring, normal: Normal = "uniform"):

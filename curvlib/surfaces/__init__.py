@@ -4,15 +4,11 @@ A file holds LABEL (for legends) and build(), which returns a geomdl NURBS surfa
 normal S_u x S_v points outward. Closed directions and poles are read off the control net.
 """
 
-from ..catalogue import Catalogue
+from ..catalogue import surfaces
 from ..nurbs import Surface
-
-_catalogue = Catalogue("surface", __name__, __path__[0])
-names = _catalogue.names
-path = _catalogue.path
 
 
 def load(name: str) -> Surface:
     """The surface of that name, or of a path to a .py file; InputError if there is none."""
-    module = _catalogue.module(name)
-    return Surface(module.build(), name=path(name).stem, label=module.LABEL)
+    module = surfaces.module(name)
+    return Surface(module.build(), name=surfaces.path(name).stem, label=module.LABEL)

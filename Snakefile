@@ -1,0 +1,20 @@
+# The whole study: `snakemake` alone makes everything that rule `all` names.
+# config -> library -> estimates -> errors, slopes, ranks -> figures and tables
+
+
+configfile: "config/config.yaml"
+
+
+include: "workflow/rules/common.smk"
+include: "workflow/rules/library.smk"
+include: "workflow/rules/estimates.smk"
+include: "workflow/rules/accuracy.smk"
+include: "workflow/rules/figures.smk"
+
+
+rule all:
+    default_target: True
+    input:
+        LIBRARY,
+        rules.accuracy.output,
+        rules.figures.input,

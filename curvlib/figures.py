@@ -1,0 +1,71 @@
+"""Every picture, from tables and library files only; the same bytes each time."""
+
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from matplotlib.figure import Figure
+
+# SVG names its elements from this salt instead of at random.
+matplotlib.rcParams.update(
+    {
+        "svg.hashsalt": "curvlib",
+        "font.size": 9,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "legend.frameon": False,
+    }
+)
+
+UNITS = {"K": "1/length²", "H": "1/length"}
+NAMES = {"K": "Gaussian curvature K", "H": "mean curvature H"}
+
+
+def save(figure: Figure, path) -> None:
+    """Write a figure in the format that the path's suffix names."""
+    kind = Path(path).suffix[1:]
+    figure.savefig(path, dpi=200, metadata={"Date": None} if kind == "svg" else None)
+
+
+def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Figure:
+    """Mean absolute error of K or |H| against the number of triangles, as Figures 3 to 6.
+
+    One curve per estimator in the default reading, log-log. `modules`: the module of every
+    surface and estimator, by name, for label and style. An error that is nothing but rounding
+    is drawn on the lower edge.
+    """
+    mean = errors[errors.norm == "mean"]
+    points, curves = (t[_shown(t, surface, quantity)] for t in (mean, convergence))
+    level = curves.rounding.max() if len(curves) else 0.0
+    visible = points.value[points.value > level]
+    floor = visible.min() / 3 if len(visible) else level
+    exact = set(curves.estimator[curves.verdict == "exact"])
+    symbol = {"K": "K", "H": "|H|"}[quantity]
+    figure = Figure(figsize=(6.3, 3.9), layout="constrained")
+    axes = figure.add_subplot(xscale="log", yscale="log")
+    for name, curve in points.groupby("estimator"):
+        module = modules[name]
+        label = module.LABEL + (" (exact)" if name in exact else "")
+        values = np.where(curve.value > level, curve.value, floor)
+        axes.plot(curve.triangles, values, label=label, clip_on=False, markersize=5, **module.STYLE)
+    triangles = sorted(points.triangles.unique())
+    axes.set_xticks(triangles, [str(t) for t in triangles])
+    axes.set_xticks([], minor=True)
+    axes.set_ylim(bottom=floor)
+    axes.set_xlabel("triangles")
+    axes.set_ylabel(f"mean absolute error of {symbol} ({UNITS[quantity]})")
+    axes.set_title(f"{modules[surface].LABEL}, {NAMES[quantity]}", loc="left")
+    axes.grid(True, which="major", color="0.9", linewidth=0.6)
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def _shown(table, surface, quantity):
+    """The rows of a surface and quantity in the default reading, on the study's first diagonal."""
+    first = table.diagonal == table.diagonal.iloc[0]
+    return (
+        first
+        & (table.surface == surface)
+        & (table.quantity == quantity)
+        & (table.reading == "default")
+    )

@@ -1,0 +1,49 @@
+# What all stages share. In: config. Out: `study`, checked; code(), what a result depends on.
+import os
+from pathlib import Path
+
+from curvlib.catalogue import estimators, surfaces
+from curvlib.errors import InputError
+from curvlib.provenance import digest
+from curvlib.study import Study, variant
+
+# One thread per job: jobs run side by side, and sums come out the same on any machine.
+# Jobs import this checkout's curvlib in whatever environment they run.
+os.environ |= {
+    "OMP_NUM_THREADS": "1",
+    "OPENBLAS_NUM_THREADS": "1",
+    "PYTHONPATH": os.pathsep.join([workflow.basedir, os.environ.get("PYTHONPATH", "")]),
+}
+
+try:
+    study = Study(config)
+except InputError as error:
+    raise WorkflowError(str(error))
+
+
+def code(script, *files):
+    """A job's parameter that changes when the code behind its script or in `files` does."""
+    return digest(Path(workflow.basedir, "workflow", "scripts", f"{script}.py"), *files)
+
+
+# Files outside the package are known to the rules by their stems.
+SURFACES = {Path(name).stem: name for name in study.surfaces}
+ESTIMATORS = {Path(name).stem: name for name in study.estimators}
+
+
+# The paper's figures of errors, by quantity: their surfaces.
+PAPER_FIGURES = {
+    "K": {"figure-3": "revolution", "figure-5": "teapot_spout"},
+    "H": {"figure-4": "revolution", "figure-6": "teapot_spout"},
+}
+
+
+def error_figures(quantity):
+    """Figure name -> surface, of all error plots of a quantity."""
+    paper = {figure: s for figure, s in PAPER_FIGURES[quantity].items() if s in SURFACES}
+    return {f"error-{quantity}-{s}": s for s in SURFACES} | paper
+
+
+wildcard_constraints:
+    surface="|".join(SURFACES),
+    estimator="|".join(ESTIMATORS),

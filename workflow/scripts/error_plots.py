@@ -1,0 +1,17 @@
+"""Draw mean absolute error against triangles, one figure per surface."""
+
+import pandas as pd
+
+from curvlib.catalogue import estimators, surfaces
+from curvlib.figures import error_plot, save
+from curvlib.job import logged
+
+with logged(snakemake.log[0]):
+    params = snakemake.params
+    tables = [pd.read_csv(snakemake.input[name]) for name in ("errors", "convergence")]
+    modules = {name: estimators.module(file) for name, file in params.estimators.items()}
+    modules |= {name: surfaces.module(file) for name, file in params.surfaces.items()}
+    for figure, surface in params.figures.items():
+        drawn = error_plot(*tables, surface, params.quantity, modules)
+        for kind in ("svg", "png"):
+            save(drawn, f"{params.folder}/{figure}.{kind}")
