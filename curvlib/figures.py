@@ -5,6 +5,7 @@ from pathlib import Path
 import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 # SVG names its elements from this salt instead of at random.
 matplotlib.rcParams.update(
@@ -41,8 +42,9 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
     floor = visible.min() / 3 if len(visible) else level
     exact = set(curves.estimator[curves.verdict == "exact"])
     symbol = {"K": "K", "H": "|H|"}[quantity]
-    figure = Figure(figsize=(6.3, 3.9), layout="constrained")
-    axes = figure.add_subplot(xscale="log", yscale="log")
+    figure = Figure(figsize=(6.3, 3.9))
+    # A fixed place: a layout that is searched for costs more than all the drawing.
+    axes = figure.add_axes((0.11, 0.12, 0.63, 0.8), xscale="log", yscale="log")
     for name, curve in points.groupby("estimator"):
         module = modules[name]
         label = module.LABEL + (" (exact)" if name in exact else "")
@@ -52,6 +54,7 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
     axes.set_xticks(triangles, [str(t) for t in triangles])
     axes.set_xticks([], minor=True)
     axes.set_ylim(bottom=floor)
+    axes.yaxis.set_minor_formatter(NullFormatter())
     axes.set_xlabel("triangles")
     axes.set_ylabel(f"mean absolute error of {symbol} ({UNITS[quantity]})")
     axes.set_title(f"{modules[surface].LABEL}, {NAMES[quantity]}", loc="left")

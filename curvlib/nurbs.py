@@ -51,7 +51,7 @@ class Surface:
     def point(self, u, v):
         """S(u, v), shape (..., 3); u, v broadcast. InputError outside the domain."""
         (u, v), shape = self._arguments(u, v)
-        span_u, span_v = (self._sides(axis, t)[1][0] for axis, t in enumerate((u, v)))
+        (span_u, u), (span_v, v) = (self._sides(axis, t)[1] for axis, t in enumerate((u, v)))
         return self._patches.evaluate(u, v, span_u, span_v, order=0)[0].T.reshape(*shape, 3)
 
     def normal(self, u, v):

@@ -1,6 +1,10 @@
 # What all stages share. In: config. Out: `study`, checked; code(), what a result depends on.
 import os
+import sys
 from pathlib import Path
+
+# This checkout's curvlib, here and in the jobs, whatever else is installed.
+sys.path.insert(0, workflow.basedir)
 
 from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError
@@ -8,7 +12,6 @@ from curvlib.provenance import digest
 from curvlib.study import Study, variant
 
 # One thread per job: jobs run side by side, and sums come out the same on any machine.
-# Jobs import this checkout's curvlib in whatever environment they run.
 os.environ |= {
     "OMP_NUM_THREADS": "1",
     "OPENBLAS_NUM_THREADS": "1",
