@@ -35,4 +35,5 @@ lock: .venv/ready
 		--python-version 3.11 pyproject.toml --output-file requirements.lock
 
 clean:
-	rm -rf results data/library .snakemake
+	find results data -mindepth 1 ! -name README.md -delete
+	rm -rf .snakemake

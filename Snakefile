@@ -2,7 +2,7 @@
 # config -> library -> estimates -> errors, slopes, ranks -> figures and tables
 
 
-configfile: "config/config.yaml"
+configfile: f"{workflow.basedir}/config/config.yaml"
 
 
 include: "workflow/rules/common.smk"
@@ -10,6 +10,7 @@ include: "workflow/rules/library.smk"
 include: "workflow/rules/estimates.smk"
 include: "workflow/rules/accuracy.smk"
 include: "workflow/rules/figures.smk"
+include: "workflow/rules/readme.smk"
 
 
 rule all:

@@ -116,25 +116,39 @@ def ranks(errors, rounding):
     return pd.DataFrame(rows)
 
 
+FAVOURITES = {"K": "gauss_bonnet", "H": "paraboloid"}
+
+
 def answer(errors, convergence, ranks) -> str:
-    """Markdown: per surface the two best estimators of K and of H in the default reading, at the
-    finest resolution, with their mean absolute errors, and the ranks of the paper's favourites."""
-    favourites = {"K": "gauss_bonnet", "H": "paraboloid"}
-    n = errors.n.max()
-    finest = ranks[(ranks.n == n) & (ranks.reading == "default")]
+    """Markdown: where the paper's favourites are best, in the default reading at the finest n.
+
+    A sentence per quantity, then a row per surface with the best estimator and its mean
+    absolute error, and the favourite's rank.
+    """
+    finest = ranks[(ranks.n == errors.n.max()) & (ranks.reading == "default")]
     finest = finest[finest.diagonal == finest.diagonal.iloc[0]]
-    rows = []
-    for surface, group in finest.groupby("surface", sort=False):
-        row = {"surface": surface}
-        for quantity, favourite in favourites.items():
-            here = group[group.quantity == quantity].sort_values(["rank", "estimator"])
+    rows, sentences = {s: {"surface": s} for s in finest.surface.unique()}, []
+    for quantity, favourite in FAVOURITES.items():
+        places = []
+        for surface, row in rows.items():
+            here = finest[(finest.surface == surface) & (finest.quantity == quantity)]
             best = here[here["rank"] == 1]
-            row[f"best for {quantity}"] = ", ".join(best.estimator)
-            row[f"error of {quantity}"] = f"{best.value.max():.2g}"
-            rank = here.loc[here.estimator == favourite, "rank"]
-            row[f"rank of {favourite} for {quantity}"] = int(rank.iloc[0]) if len(rank) else None
-        rows.append(row)
-    return pd.DataFrame(rows).to_markdown(index=False, disable_numparse=True) + "\n"
+            names = ", ".join(sorted(best.estimator))
+            curve = (convergence.surface == surface) & (convergence.quantity == quantity)
+            exact = best.value.max() <= convergence.rounding[curve].max()
+            error = "exact" if exact else f"{best.value.max():.2g}"
+            row[f"best for {quantity} (mean error)"] = f"{names} ({error})"
+            rank = here["rank"][here.estimator == favourite]
+            if len(rank):
+                row[f"rank of {favourite} for {quantity}"] = rank.iloc[0]
+                places.append(rank.iloc[0])
+        first = sum(place == 1 for place in places)
+        sentences.append(
+            f"For {quantity}, `{favourite}` is best, alone or tied, on {first} of {len(places)} "
+            "surfaces."
+        )
+    table = pd.DataFrame(rows.values()).to_markdown(index=False, disable_numparse=True)
+    return "  \n".join(sentences) + f"\n\n{table}\n"
 
 
 def _fit(x, y):

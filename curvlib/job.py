@@ -10,7 +10,8 @@ from .errors import InputError
 
 @contextlib.contextmanager
 def logged(path):
-    """Send what is printed to a log file; end with one line there where the input is at fault."""
+    """Send what is printed to a log file. An error ends the job and stands in the log and on the
+    terminal: one line where the input is at fault, else the traceback."""
     with (
         Path(path).open("w", buffering=1) as log,
         contextlib.redirect_stdout(log),
@@ -18,9 +19,9 @@ def logged(path):
     ):
         try:
             yield
-        except InputError as error:
-            print(f"error: {error}")
-            sys.exit(1)
-        except Exception:
-            traceback.print_exc()
+        except Exception as error:
+            wrong_input = isinstance(error, InputError)
+            message = f"error: {error}" if wrong_input else traceback.format_exc()
+            for stream in (log, sys.__stderr__):
+                print(message, file=stream)
             sys.exit(1)

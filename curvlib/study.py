@@ -1,5 +1,6 @@
 """The study as its config describes it: names resolved and checked before anything runs."""
 
+import os
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -100,8 +101,6 @@ def _names(key, value, catalogue):
 
 def _folder(key, value):
     """A folder that can be written to, or made."""
-    import os
-
     path = Path(value)
     existing = next(p for p in (path, *path.absolute().parents) if p.exists())
     if not existing.is_dir() or not os.access(existing, os.W_OK):

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 import curvlib
-from curvlib.library import read_estimates, whole_file, write_estimates, write_library
+from curvlib.library import whole_file, write_library
 from curvlib.mesh import FIELDS
+from curvlib.results import read_estimates, write_estimates
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +50,7 @@ def test_unknown_mesh(folder):
     lib = curvlib.load_library(folder)
     with pytest.raises(curvlib.InputError, match="'spere'; did you mean 'sphere'"):
         lib.mesh("spere", 8)
-    with pytest.raises(curvlib.InputError, match="unknown resolution '9'.*valid: 8, 12"):
+    with pytest.raises(curvlib.InputError, match=r"unknown resolution '9'.*valid: 8, 12"):
         lib.mesh("sphere", 9)
     with pytest.raises(curvlib.InputError, match="'alternat'; did you mean 'alternate'"):
         lib.mesh("sphere", 8, "alternat")

@@ -105,8 +105,9 @@ def test_normals_point_outward(name):
         for k in range(3):
             edge = (ends[:, [k, (k + 1) % 3]] == end).all(1)
             a, b = triangles[edge, k], triangles[edge, (k + 1) % 3]
-            caps.append(np.stack((b, a, np.broadcast_to(a.mean(0), a.shape)), 1))
-    closed = np.concatenate((triangles, *(c for c in caps if len(c))))
+            if edge.any():
+                caps.append(np.stack((b, a, np.broadcast_to(a.mean(0), a.shape)), 1))
+    closed = np.concatenate((triangles, *caps))
     assert np.linalg.det(closed).sum() > 0
     flat = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     along = np.nansum(flat[:, None] * m.normals[m.faces], axis=(1, 2))

@@ -8,5 +8,6 @@ A file holds LABEL and STYLE (for legends) and
 with arrays (m,) for a batch of m one-rings (see curvlib.ring), or None for a quantity it does
 not estimate. The keyword options are its readings, their Literal the valid values. A first
 parameter called `mesh` instead of `ring` asks for the whole curvlib.Mesh, and arrays (V,).
+Imports are absolute, so that a copy of a file works outside the package too.
 An estimator whose value depends on which way round the ring is walked says so in ONE_SIDED.
 """

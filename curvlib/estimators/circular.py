@@ -4,9 +4,9 @@ from typing import Literal
 
 import numpy as np
 
-from ..fit import least_squares
-from ..ring import Normal
-from ..vectors import cross, dot, norm
+from curvlib.fit import least_squares
+from curvlib.ring import Normal
+from curvlib.vectors import cross, dot, norm
 
 LABEL = "Circular fitting"
 STYLE = {"color": "#E69F00", "marker": "v", "linestyle": "-"}

@@ -2,8 +2,8 @@
 
 import math
 
-from ..fit import least_squares
-from ..ring import Normal
+from curvlib.fit import least_squares
+from curvlib.ring import Normal
 
 LABEL = "Paraboloid fitting"
 STYLE = {"color": "#D55E00", "marker": "o", "linestyle": "-"}

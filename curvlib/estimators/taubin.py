@@ -1,6 +1,6 @@
 """Taubin's approach, section 3.5."""
 
-from ..ring import Normal, preceding
+from curvlib.ring import Normal, preceding
 
 LABEL = "Taubin"
 STYLE = {"color": "#CC79A7", "marker": "D", "linestyle": "-"}

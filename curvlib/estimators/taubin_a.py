@@ -2,8 +2,8 @@
 
 from typing import Literal
 
-from ..ring import Normal, preceding
-from . import taubin
+from curvlib.estimators import taubin
+from curvlib.ring import Normal, preceding
 
 LABEL = "Taubin A"
 STYLE = {"color": "#CC79A7", "marker": "P", "linestyle": "--", "markerfacecolor": "white"}

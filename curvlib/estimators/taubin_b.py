@@ -2,8 +2,8 @@
 
 from typing import Literal
 
-from ..ring import Normal, following
-from . import taubin
+from curvlib.estimators import taubin
+from curvlib.ring import Normal, following
 
 LABEL = "Taubin B"
 STYLE = {"color": "#CC79A7", "marker": "X", "linestyle": ":", "markerfacecolor": "white"}

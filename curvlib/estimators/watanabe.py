@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from ..ring import Normal, following, preceding
+from curvlib.ring import Normal, following, preceding
 
 LABEL = "Watanabe-Belyaev"
 STYLE = {"color": "#009E73", "marker": "^", "linestyle": "-"}

@@ -1,7 +1,7 @@
 """Watanabe A, section 3.6: base Watanabe with tangent directions and the uniform normal."""
 
-from ..ring import Normal
-from . import watanabe
+from curvlib.estimators import watanabe
+from curvlib.ring import Normal
 
 LABEL = "Watanabe A"
 STYLE = {"color": "#009E73", "marker": "<", "linestyle": "--", "markerfacecolor": "white"}

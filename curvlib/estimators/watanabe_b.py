@@ -1,6 +1,6 @@
 """Watanabe B, section 3.6: the extreme normal curvatures are the principal ones."""
 
-from ..ring import Normal
+from curvlib.ring import Normal
 
 LABEL = "Watanabe B"
 STYLE = {"color": "#009E73", "marker": ">", "linestyle": ":", "markerfacecolor": "white"}

@@ -21,7 +21,7 @@ os.environ |= {
 try:
     study = Study(config)
 except InputError as error:
-    raise WorkflowError(str(error))
+    sys.exit(f"error: {error}")
 
 
 def code(script, *files):

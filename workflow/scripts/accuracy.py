@@ -4,7 +4,8 @@ from pathlib import Path
 
 from curvlib import accuracy
 from curvlib.job import logged
-from curvlib.library import load_library, read_estimates
+from curvlib.library import load_library
+from curvlib.results import read_estimates
 
 with logged(snakemake.log[0]):
     meshes = load_library(*snakemake.input.library)

@@ -2,7 +2,8 @@
 
 from curvlib.estimation import estimate
 from curvlib.job import logged
-from curvlib.library import load_library, write_estimates
+from curvlib.library import load_library
+from curvlib.results import write_estimates
 
 with logged(snakemake.log[0]):
     params = snakemake.params

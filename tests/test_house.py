@@ -1,0 +1,122 @@
+"""The house itself: what imports what, what an import costs, what changes a digest."""
+
+import ast
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import curvlib
+from curvlib.provenance import digest
+from curvlib.study import Study
+
+PACKAGE = Path(curvlib.__file__).parent
+
+# Each module and what of curvlib it may import; estimators and surfaces as folders.
+IMPORTS = {
+    "errors": set(),
+    "vectors": set(),
+    "fit": set(),
+    "catalogue": {"errors"},
+    "patches": set(),
+    "nurbs": {"errors", "fit", "patches", "vectors"},
+    "surfaces": {"surfaces", "catalogue", "nurbs"},
+    "ring": {"errors", "vectors"},
+    "mesh": {"errors"},
+    "tessellation": {"errors", "mesh", "nurbs"},
+    "estimators": {"estimators", "fit", "ring", "vectors"},
+    "estimation": {"catalogue", "errors", "mesh", "ring"},
+    "library": {"errors", "mesh", "nurbs", "tessellation"},
+    "results": {"estimation", "library"},
+    "study": {"catalogue", "errors", "estimation", "tessellation"},
+    "provenance": set(),
+    "job": {"errors"},
+    "accuracy": set(),
+    "figures": set(),
+}
+
+
+def imported(path):
+    """Modules (or folders) of curvlib that a file imports."""
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.ImportFrom):
+            base = path.parents[node.level - 1] if node.level else Path("/")
+            full = [*base.relative_to(PACKAGE.parent).parts] if node.level else []
+            full += (node.module or "").split(".") if node.module else []
+            if full[:1] == ["curvlib"]:
+                yield from [full[1]] if full[1:] else [alias.name for alias in node.names]
+
+
+def test_imports_point_one_way():
+    found = {}
+    for path in PACKAGE.rglob("*.py"):
+        room = path.relative_to(PACKAGE).with_suffix("").parts[0]
+        if room != "__init__":
+            found.setdefault(room, set()).update(imported(path))
+    assert set(found) == set(IMPORTS)
+    for room, uses in found.items():
+        assert uses <= IMPORTS[room], room
+
+
+def test_an_import_brings_nothing_heavy():
+    heavy = "scipy pandas matplotlib pyvista h5py snakemake"
+    code = f"import sys, curvlib; print([m for m in '{heavy}'.split() if m in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_listings_stay_callable_after_their_packages_are_used():
+    curvlib.estimate(curvlib.tessellate(curvlib.surface("cone"), 4), "taubin_a")
+    assert "cone" in curvlib.surfaces()
+    assert "taubin_a" in curvlib.estimators()
+
+
+def test_digest_follows_imports_but_not_comments(monkeypatch, tmp_path):
+    copy = shutil.copytree(PACKAGE, tmp_path / "curvlib")
+    monkeypatch.setattr("curvlib.provenance.PACKAGE", copy)
+    variant, parent = copy / "estimators/taubin_a.py", copy / "estimators/taubin.py"
+    before, kept = digest(variant), parent.read_text()
+    assert digest(PACKAGE / "estimators/taubin_a.py") == before
+    parent.write_text(kept + "\n# a comment\n")
+    assert digest(variant) == before
+    parent.write_text(kept.replace('"""Taubin', '"""Not Taubin'))
+    assert digest(variant) == before
+    parent.write_text(kept + "\nX = 1\n")
+    assert digest(variant) != before
+    assert digest(copy / "estimators/watanabe_b.py") != before
+
+
+def test_a_folder_that_cannot_be_written_to(monkeypatch, tmp_path):
+    keys = {"surfaces": "all", "estimators": "all", "resolutions": [8], "diagonals": ["same"]}
+    config = {
+        **keys,
+        "readings": {"default": {}},
+        "library": str(tmp_path),
+        "results": str(tmp_path),
+    }
+    assert Study(config).results == tmp_path
+    monkeypatch.setattr(os, "access", lambda path, mode: False)
+    with pytest.raises(curvlib.InputError, match="cannot be written to"):
+        Study(config)
+
+
+def test_study_shares_what_readings_have_in_common(tmp_path):
+    config = {
+        "surfaces": ["sphere"],
+        "estimators": ["gauss_bonnet", "watanabe_b"],
+        "resolutions": [12, 8, 8],
+        "diagonals": ["same"],
+        "readings": {"default": {}, "half": {"gauss_bonnet": {"area": "half"}}},
+        "library": str(tmp_path),
+        "results": str(tmp_path),
+    }
+    study = Study(config)
+    assert study.resolutions == [8, 12]
+    assert list(study.variants("gauss_bonnet")) == [
+        "area=third,dihedral=signed",
+        "area=half,dihedral=signed",
+    ]
+    assert list(study.variants("watanabe_b")) == ["normal=uniform"]

@@ -1,0 +1,164 @@
+"""Snakemake itself, on a copy of the checkout and a small study."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+SMALL = """
+surfaces: [sphere, teapot_spout]
+estimators: [gauss_bonnet, paraboloid]
+resolutions: [8, 12]
+"""
+AGGREGATES = {"accuracy", "error_plots_K", "error_plots_H", "all"}
+
+
+@pytest.fixture
+def study(tmp_path):
+    """A copy of what the project tracks, and a function that runs snakemake in it."""
+    for name in ("Snakefile", "config", "curvlib", "workflow", "profiles"):
+        source = ROOT / name
+        if source.is_dir():
+            shutil.copytree(source, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__"))
+        else:
+            shutil.copy(source, tmp_path / name)
+    (tmp_path / "small.yaml").write_text(SMALL)
+
+    def run(*arguments, ok=True, config="small.yaml"):
+        command = [Path(sys.executable).with_name("snakemake"), "--configfile", config, *arguments]
+        path = os.pathsep.join((str(Path(sys.executable).parent), os.environ["PATH"]))
+        done = subprocess.run(
+            command,
+            cwd=tmp_path,
+            env=os.environ | {"PATH": path},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        output = done.stdout + done.stderr
+        assert (done.returncode == 0) == ok, output
+        return output
+
+    run.folder = tmp_path
+    return run
+
+
+def rules(output):
+    """Rule name -> number of its jobs, from the table that snakemake prints first."""
+    return {rule: int(count) for rule, count in re.findall(r"^(\w+) +(\d+)$", output, re.M)}
+
+
+def contents(folder):
+    return {
+        str(p.relative_to(folder)): p.read_bytes()
+        for part in ("data/library", "results/tables", "results/figures")
+        for p in sorted((folder / part).rglob("*"))
+        if p.is_file()
+    }
+
+
+def replace(path, old, new):
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new))
+
+
+def test_reruns_what_changed_and_nothing_else(study):
+    first = rules(study("--cores", "1"))
+    assert first["library"] == first["estimate"] == 2
+    one_core = contents(study.folder)
+    assert {"results/tables/errors.csv", "data/library/sphere/same-008.txt"} <= set(one_core)
+    assert "Nothing to be done" in study()
+
+    estimator = study.folder / "curvlib/estimators/paraboloid.py"
+    replace(estimator, "return 4 * a * c - b * b, a + c", "return 4 * a * c - b * b, (a + c)  # H")
+    replace(estimator, '"""Paraboloid fitting, section 3.1."""', '"""Another docstring."""')
+    assert "Nothing to be done" in study(), "a comment is no change"
+
+    replace(estimator, "4 * a * c", "5 * a * c")
+    changed = rules(study("--cores", "2"))
+    assert changed == {"estimate": 1, **dict.fromkeys(AGGREGATES, 1), "total": 5}
+    assert (
+        contents(study.folder)["results/tables/errors.csv"] != one_core["results/tables/errors.csv"]
+    )
+
+    replace(estimator, "5 * a * c", "4 * a * c")
+    study("--cores", "2", "--forceall")
+    assert contents(study.folder) == one_core, "other bytes on two cores"
+
+    ring = study.folder / "curvlib/ring.py"
+    replace(ring, "return 2 * self.canonical(normal)[2]", "return 3 * self.canonical(normal)[2]")
+    assert rules(study("--dry-run"))["estimate"] == 2
+    assert "library" not in rules(study("--dry-run"))
+
+
+def test_a_new_file_is_all_it_takes(study):
+    """An estimator and a surface join by lying in their folders, where the config says `all`."""
+    (study.folder / "all.yaml").write_text("resolutions: [8]")
+    before = rules(study("--dry-run", config="all.yaml"))
+    files = study.folder / "curvlib"
+    shutil.copy(files / "estimators/watanabe_b.py", files / "estimators/mine.py")
+    shutil.copy(files / "surfaces/cylinder.py", files / "surfaces/pipe.py")
+    after = rules(study("--dry-run", config="all.yaml"))
+    assert after["estimate"] == before["estimate"] + 1
+    assert after["library"] == before["library"] + 1
+    (study.folder / "elsewhere").mkdir()
+    shutil.move(files / "estimators/mine.py", study.folder / "elsewhere/mine.py")
+    (study.folder / "small.yaml").write_text(
+        SMALL.replace("paraboloid", "elsewhere/mine.py").replace("teapot_spout", "pipe")
+    )
+    study("--cores", "2")
+    errors = (study.folder / "results/tables/errors.csv").read_text()
+    assert "pipe,same,8,128,mine,default,K,mean," in errors
+
+
+@pytest.mark.parametrize(
+    ("config", "message"),
+    [
+        ("surfaces: [sphre]", "surfaces: unknown surface 'sphre'; did you mean 'sphere'?"),
+        ("estimators: [taubn]", "estimators: unknown estimator 'taubn'; did you mean 'taubin'?"),
+        ("estimators: []", "estimators has to be a list that is not empty"),
+        ("resolutions: [8, 2]", "resolutions: resolution 2 is not an integer of at least 3"),
+        ("resolutions: [8.5]", "resolutions: resolution 8.5 is not an integer of at least 3"),
+        ("diagonals: [shortst]", "unknown diagonal 'shortst'; did you mean 'shortest'?"),
+        ("reading: {}", "unknown key 'reading'; did you mean 'readings'?"),
+        ("readings: {default: {}, a: {taubn: {}}}", "did you mean 'taubin'?"),
+        (
+            "readings: {default: {}, a: {gauss_bonnet: {area: halv}}}",
+            "reading 'a': unknown area of gauss_bonnet 'halv'; did you mean 'half'?",
+        ),
+        ("results: Snakefile", "'Snakefile' is not a folder"),
+    ],
+)
+def test_a_mistake_is_one_line_before_any_job(study, config, message):
+    (study.folder / "small.yaml").write_text(config)
+    output = study(ok=False)
+    (line,) = (line for line in output.splitlines() if line.startswith("error: config: "))
+    assert message in line
+    assert not (study.folder / "results").exists()
+    assert not (study.folder / "data").exists()
+
+
+def test_readme_shows_what_the_study_says(study):
+    """The whole study, cold: the table and the picture in README are those of a run."""
+    for name in ("README.md", "paper"):
+        source = ROOT / name
+        (shutil.copy if source.is_file() else shutil.copytree)(source, study.folder / name)
+    tracked = [study.folder / name for name in ("README.md", "paper/readme-figure.svg")]
+    before = [path.read_bytes() for path in tracked]
+    study("readme", config="config/config.yaml")
+    assert [path.read_bytes() for path in tracked] == before, "run `snakemake readme` and commit"
+
+
+def test_truncated_library_file(study):
+    study("--cores", "2", "data/library/sphere.h5", "data/library/teapot_spout.h5")
+    path = study.folder / "data/library/sphere.h5"
+    path.write_bytes(path.read_bytes()[:3000])
+    output = study("--cores", "1", "results/estimates/paraboloid.h5", ok=False)
+    assert "error: data/library/sphere.h5: cut off or not HDF5" in output
+    assert not list(study.folder.glob("results/**/*.h5*"))

@@ -1,0 +1,17 @@
+# In: the answer and a figure. Out: the same in README.md and beside the paper, so that a reader
+# sees them before the first run. Not part of `all`: it changes tracked files.
+
+
+rule readme:
+    input:
+        answer=rules.accuracy.output.answer,
+        figure=FIGURES / "figure-6.svg",
+    params:
+        readme=f"{workflow.basedir}/README.md",
+        figure=f"{workflow.basedir}/paper/readme-figure.svg",
+    log:
+        study.results / "logs/readme.log",
+    conda:
+        "../envs/curvlib.yaml"
+    script:
+        "../scripts/readme.py"
