@@ -39,7 +39,7 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
     points, curves = (t[_shown(t, surface, quantity)] for t in (mean, convergence))
     level = curves.rounding.max() if len(curves) else 0.0
     visible = points.value[points.value > level]
-    floor = visible.min() / 3 if len(visible) else level
+    floor = visible.min() / 1.5 if len(visible) else level
     exact = set(curves.estimator[curves.verdict == "exact"])
     symbol = {"K": "K", "H": "|H|"}[quantity]
     figure = Figure(figsize=(6.3, 3.9))

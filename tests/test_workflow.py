@@ -30,7 +30,7 @@ def study(tmp_path):
     (tmp_path / "small.yaml").write_text(SMALL)
 
     def run(*arguments, ok=True, config="small.yaml"):
-        command = [Path(sys.executable).with_name("snakemake"), "--configfile", config, *arguments]
+        command = [Path(sys.executable).with_name("snakemake"), *arguments, "--configfile", config]
         path = os.pathsep.join((str(Path(sys.executable).parent), os.environ["PATH"]))
         done = subprocess.run(
             command,

@@ -6,12 +6,12 @@ rule readme:
     input:
         answer=rules.accuracy.output.answer,
         figure=FIGURES / "figure-6.svg",
-    params:
-        readme=f"{workflow.basedir}/README.md",
-        figure=f"{workflow.basedir}/paper/readme-figure.svg",
     log:
         study.results / "logs/readme.log",
     conda:
         "../envs/curvlib.yaml"
+    params:
+        readme=f"{workflow.basedir}/README.md",
+        figure=f"{workflow.basedir}/paper/readme-figure.svg",
     script:
         "../scripts/readme.py"
