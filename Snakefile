@@ -10,7 +10,7 @@ include: "workflow/rules/library.smk"
 include: "workflow/rules/estimates.smk"
 include: "workflow/rules/accuracy.smk"
 include: "workflow/rules/figures.smk"
-include: "workflow/rules/readme.smk"
+
 
 
 rule all:
@@ -18,4 +18,6 @@ rule all:
     input:
         LIBRARY,
         rules.accuracy.output,
+        NOISE,
+        RINGS,
         rules.figures.input,
