@@ -9,6 +9,7 @@ include: "workflow/rules/common.smk"
 include: "workflow/rules/library.smk"
 include: "workflow/rules/estimates.smk"
 include: "workflow/rules/accuracy.smk"
+include: "workflow/rules/claims.smk"
 include: "workflow/rules/figures.smk"
 
 
@@ -18,6 +19,5 @@ rule all:
     input:
         LIBRARY,
         rules.accuracy.output,
-        NOISE,
-        RINGS,
+        rules.claims.output,
         rules.figures.input,

@@ -65,12 +65,19 @@ def convergence(rows) -> pd.DataFrame:
         fit = {"verdict": "exact"}
         if len(x) > 1:
             fit = _fits(x, y)
-            fit["verdict"] = "stagnates"
-            if abs(fit["tail"]) >= STAGNATION:
-                fit["verdict"] = "converges" if fit["tail"] < 0 else "diverges"
-        result.append(labels | fit | {"monotone": bool((np.diff(value) < 0).all()), "rounding": level})
+            fit["verdict"] = verdict(fit["tail"])
+        result.append(
+            labels | fit | {"monotone": bool((np.diff(value) < 0).all()), "rounding": level}
+        )
     columns = ["slope", "stderr", "jackknife", "tail", "tail_stderr", "monotone", "verdict"]
     return pd.DataFrame(result, columns=[*CURVE, *columns, "rounding"])
+
+
+def verdict(slope) -> str:
+    """What a slope over log(n) says."""
+    if abs(slope) < STAGNATION:
+        return "stagnates"
+    return "converges" if slope < 0 else "diverges"
 
 
 def by_reading(curves, readings) -> pd.DataFrame:
@@ -96,15 +103,15 @@ def ranks(table, levels) -> pd.DataFrame:
 
 def _fits(x, y):
     half = max(3, (len(x) + 1) // 2)
-    slope, stderr = _fit(x, y)
-    left_out = [_fit(np.delete(x, i), np.delete(y, i))[0] for i in range(len(x)) if len(x) > 2]
+    slope, stderr = slope_fit(x, y)
+    left_out = [slope_fit(np.delete(x, i), np.delete(y, i))[0] for i in range(len(x)) if len(x) > 2]
     spread = np.sqrt((len(x) - 1) * np.var(left_out)) if left_out else np.nan
-    tail, tail_stderr = _fit(x[-half:], y[-half:])
+    tail, tail_stderr = slope_fit(x[-half:], y[-half:])
     names = ("slope", "stderr", "jackknife", "tail", "tail_stderr")
     return dict(zip(names, (slope, stderr, spread, tail, tail_stderr)))
 
 
-def _fit(x, y):
+def slope_fit(x, y):
     """Slope of the least-squares line and its standard error (NaN for two points)."""
     dx = x - x.mean()
     slope = (dx * y).sum() / (dx * dx).sum()

@@ -8,13 +8,16 @@ from .library import open_hdf5, whole_file
 from .norms import counted_vertices, error_rows, largest_curvature
 
 
-def run_estimator(estimator: str, variants: dict, meshes, surfaces: dict, full, output, **attributes):
+def run_estimator(
+    estimator: str, variants: dict, meshes, surfaces: dict, full, output, **attributes
+):
     """Run an estimator on meshes; write `output.values` and `output.errors`, whole or not at all.
 
     `variants`: options by key, the default's first. `meshes`: (surface, diagonal, n) -> Mesh.
     `surfaces`: Surface by name. `full`: the (diagonal, n) on which every variant is run; on
     others it is the default alone. The values (HDF5: /<surface>/<diagonal>/<n>/K and H) are
-    those of the default; the errors (CSV) those of every variant and choice of vertices.
+    those of the default on the full ones; the errors (CSV) those of every variant and choice of
+    vertices.
     """
     import h5py
 
@@ -22,12 +25,13 @@ def run_estimator(estimator: str, variants: dict, meshes, surfaces: dict, full, 
 
     def rows():
         for (surface, diagonal, n), mesh in meshes.items():
-            chosen = variants if (diagonal, n) in full else {default: variants[default]}
+            is_full = (diagonal, n) in full
+            chosen = variants if is_full else {default: variants[default]}
             mesh_labels = {"surface": surface, "diagonal": diagonal, "n": n}
             mesh_labels |= {"triangles": len(mesh.faces), "largest_k": largest_curvature(mesh)}
             for variant, options in chosen.items():
                 result = estimate(mesh, estimator, **options)
-                if variant == default:
+                if variant == default and is_full:
                     for quantity, values in result._asdict().items():
                         file[f"{surface}/{diagonal}/{n}/{quantity}"] = values
                 for choice, counted in counted_vertices(mesh, surfaces[surface]).items():

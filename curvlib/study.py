@@ -120,7 +120,9 @@ class Study:
         keys = ("diagonals", "resolutions")
         for block in value:
             if not isinstance(block, dict) or sorted(block) != sorted(keys):
-                raise InputError(f"config: default_only: {block!r} needs exactly {' and '.join(keys)}")
+                raise InputError(
+                    f"config: default_only: {block!r} needs exactly {' and '.join(keys)}"
+                )
         return [
             {key: getattr(self, f"_{key}")(block[key], f"default_only: {key}") for key in keys}
             for block in value

@@ -73,7 +73,7 @@ def ring_rows(estimator: str, variants: dict, seed: int = 0):
     if function.__code__.co_varnames[0] == "mesh":
         return
     for n in VALENCES:
-        for kind, jitter in (("regular", 0.0), ("irregular", 0.35)):
+        for kind, jitter in (("regular", 0.0), ("irregular", 0.2)):
             rng = np.random.default_rng([seed, n])
             k1, k2, p, q, r = rng.uniform(-1, 1, (5, 1, RING_DRAWS))
             turn = rng.uniform(0, 2 * np.pi, (1, RING_DRAWS))
