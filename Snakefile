@@ -13,7 +13,6 @@ include: "workflow/rules/claims.smk"
 include: "workflow/rules/figures.smk"
 
 
-
 rule all:
     default_target: True
     input:

@@ -105,18 +105,18 @@ def _ring_curves(rings):
     return result
 
 
-def summary(decided: pd.DataFrame, singles, diagonals) -> pd.DataFrame:
-    """claims-summary.csv: each claim in words, how it fares on the SEVEN in the named readings on
-    the first diagonal, and which single change of reading or diagonal turns it over."""
+def summary(decided: pd.DataFrame, named, singles, diagonals) -> pd.DataFrame:
+    """claims-summary.csv: each claim in words, how it fares on the SEVEN in the `named` readings
+    on the first diagonal, and which of the `singles` readings or diagonals turns it over."""
     seven = decided[decided.surface.isin(SEVEN)]
     rows = []
     for claim in CLAIMS:
         here = seven[seven.claim == claim.number]
         at_first = here[here.diagonal == diagonals[0]]
-        named = {r: outcome(x) for r, x in at_first.groupby("reading")}
+        readings = {r: outcome(x) for r, x in at_first.groupby("reading")}
         cuts = {d: outcome(x) for d, x in here[here.reading == "default"].groupby("diagonal")}
-        default = named["default"]
-        turned = [r for r in singles if stands(named[r]) != stands(default)]
+        default = readings["default"]
+        turned = [r for r in singles if stands(readings[r]) != stands(default)]
         turned += [f"diagonal={d}" for d in diagonals if stands(cuts[d]) != stands(default)]
         open_on = at_first[(at_first.reading == "default") & (at_first.holds == "undecided")]
         rows.append(
@@ -126,7 +126,7 @@ def summary(decided: pd.DataFrame, singles, diagonals) -> pd.DataFrame:
                 "sentence": claim.sentence,
                 "measure": claim.measure,
                 "holds_if": claim.holds,
-                **{r: outcome for r, outcome in named.items() if r not in singles},
+                **{reading: readings[reading] for reading in named},
                 "cells": len(here),
                 "true": int((here.holds == "true").sum()),
                 "undecided": int((here.holds == "undecided").sum()),

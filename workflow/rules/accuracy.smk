@@ -10,13 +10,13 @@ rule accuracy:
         errors=study.results / "tables/errors.csv",
         convergence=study.results / "tables/convergence.csv",
         ranks=study.results / "tables/ranks.csv",
-    params:
-        readings=reading_rows(study.all_readings()),
-        full=FULL,
-        code=code("accuracy"),
     log:
         study.results / "logs/accuracy.log",
     conda:
         "../envs/curvlib.yaml"
+    params:
+        readings=reading_rows(study.all_readings()),
+        full=FULL,
+        code=code("accuracy"),
     script:
         "../scripts/accuracy.py"

@@ -11,15 +11,16 @@ rule claims:
         claims=study.results / "tables/claims.csv",
         summary=study.results / "tables/claims-summary.csv",
         answer=study.results / "tables/answer.md",
-    params:
-        readings=reading_rows(study.all_readings() | study.products()),
-        singles=list(study.single_changes()),
-        diagonals=study.diagonals,
-        full=FULL,
-        code=code("claims"),
     log:
         study.results / "logs/claims.log",
     conda:
         "../envs/curvlib.yaml"
+    params:
+        readings=reading_rows(study.all_readings() | study.products()),
+        named=list(study.readings),
+        singles=list(study.single_changes()),
+        diagonals=study.diagonals,
+        full=FULL,
+        code=code("claims"),
     script:
         "../scripts/claims.py"

@@ -11,16 +11,16 @@ rule estimate:
     output:
         values=study.results / "estimates/{estimator}.h5",
         errors=study.results / "estimates/{estimator}.csv",
+    log:
+        study.results / "logs/estimate/{estimator}.log",
+    conda:
+        "../envs/curvlib.yaml"
     params:
         estimator=lambda wildcards: ESTIMATORS[wildcards.estimator],
         variants=lambda wildcards: study.variants(ESTIMATORS[wildcards.estimator]),
         surfaces=SURFACES,
         full=FULL,
         code=lambda wildcards: code("estimate", estimators.path(ESTIMATORS[wildcards.estimator])),
-    log:
-        study.results / "logs/estimate/{estimator}.log",
-    conda:
-        "../envs/curvlib.yaml"
     script:
         "../scripts/estimate.py"
 
@@ -31,14 +31,14 @@ rule trials:
     output:
         noise=study.results / "trials/noise-{estimator}.csv",
         rings=study.results / "trials/rings-{estimator}.csv",
+    log:
+        study.results / "logs/trials/{estimator}.log",
+    conda:
+        "../envs/curvlib.yaml"
     params:
         estimator=lambda wildcards: ESTIMATORS[wildcards.estimator],
         variants=lambda wildcards: study.variants(ESTIMATORS[wildcards.estimator]),
         mesh=min(FULL, key=lambda mesh: (mesh[0] != study.diagonals[0], abs(mesh[1] - 16))),
         code=lambda wildcards: code("trials", estimators.path(ESTIMATORS[wildcards.estimator])),
-    log:
-        study.results / "logs/trials/{estimator}.log",
-    conda:
-        "../envs/curvlib.yaml"
     script:
         "../scripts/trials.py"
