@@ -1,4 +1,4 @@
-"""How far estimates are from the exact values: errors by reading, convergence, ranks; tidy tables."""
+"""How far estimates are from the exact values: errors by reading, convergence, ranks."""
 
 import numpy as np
 import pandas as pd

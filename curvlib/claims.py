@@ -9,10 +9,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-NINE = (
-    "circular gauss_bonnet paraboloid taubin taubin_a taubin_b watanabe watanabe_a watanabe_b"
-).split()
-SEVEN = "cylinder cone sphere revolution teapot_body teapot_spout ellipsoid".split()
+NINE = [
+    "circular",
+    "gauss_bonnet",
+    "paraboloid",
+    "taubin",
+    "taubin_a",
+    "taubin_b",
+    "watanabe",
+    "watanabe_a",
+    "watanabe_b",
+]
+SEVEN = ["cylinder", "cone", "sphere", "revolution", "teapot_body", "teapot_spout", "ellipsoid"]
 
 TIE = 0.02  # errors within 2 % of each other are a tie
 SIMILAR, DIFFERENT = 0.7, 0.5  # Kendall's tau

@@ -55,7 +55,7 @@ class Evidence:
             for claim in CLAIMS:
                 yield _row(claim, surface, diagonal, name, claim.decide(cell))
         if counted == "interior":
-            for place in {key[:2] for key in self.rings}:
+            for place in sorted({key[:2] for key in self.rings}):
                 curve = self._curves(place, variants, self.rings)
                 cell = Cell(place[1], self.resolutions, {}, {}, {}, curve, {})
                 for claim in CLAIMS:
@@ -149,10 +149,15 @@ def stands(outcome: str) -> bool:
     return 2 * int(outcome.split()[0]) > int(outcome.split()[-1])
 
 
+def _shortened(listed):
+    items = listed.split(", ") if listed else ["no single choice"]
+    return ", ".join(items[:2]) + (f" and {len(items) - 2} more" if len(items) > 2 else "")
+
+
 def answer(table: pd.DataFrame) -> str:
     """The README's answer, in Markdown, from claims-summary.csv."""
     columns = {"claim": "", "sentence": "the paper says", "default": "true on"}
     columns |= {"likely-run": "as likely run", "turned_over_by": "turned over by"}
     shown = table[[c for c in columns if c in table]].rename(columns=columns)
-    shown["turned over by"] = shown["turned over by"].replace("", "no single choice")
+    shown["turned over by"] = shown["turned over by"].map(_shortened)
     return shown.to_markdown(index=False, disable_numparse=True) + "\n"

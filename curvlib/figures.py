@@ -88,7 +88,7 @@ def specification_curve(claims, readings, claim, surfaces) -> Figure:
     curve["verdict"] = groups.holds.agg(lambda holds: holds.value_counts().index[0])
     curve = curve.sort_values("median", kind="stable").reset_index()
     choices = [readings[r] | {"cut": d} for r, d in zip(curve.reading, curve.diagonal)]
-    rows = list(dict.fromkeys((o, v) for o in _options(choices) for v in _values(choices, o)))
+    rows = [(o, v) for o in ("cut", *_options(readings)) for v in _values(choices, readings, o)]
     x = np.arange(len(curve))
     figure = Figure(figsize=(7, 3 + 0.14 * len(rows)))
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[2.6, 0.14 * len(rows)])
@@ -117,9 +117,8 @@ def specification_curve(claims, readings, claim, surfaces) -> Figure:
 
 
 def claims_map(claims, summary, surfaces) -> Figure:
-    """Claims against surfaces, the default reading on the study's first cut."""
-    first = claims.diagonal.iloc[0]
-    cells = claims[(claims.reading == "default") & (claims.diagonal == first)]
+    """Claims against surfaces: the default reading, on the grid that the paper has."""
+    cells = claims[(claims.reading == "default") & (claims.diagonal == "same")]
     holds = cells.pivot(index="claim", columns="surface", values="holds")[surfaces]
     figure = Figure(figsize=(7.2, 4.2))
     axes = figure.add_axes((0.48, 0.02, 0.5, 0.72))
@@ -164,7 +163,7 @@ def rank_plot(ranks, quantity: str, surfaces, modules) -> Figure:
     axes.set_yticks(range(1, shown["rank"].max() + 1))
     axes.set_xticks(range(len(surfaces)), surfaces, rotation=20, fontsize=7)
     axes.set_ylabel(f"rank by mean error of {SYMBOLS[quantity]}")
-    axes.set_title(f"{NAMES[quantity].capitalize()}, n = {shown.n.iloc[0]}", loc="left")
+    axes.set_title(f"Ranks for {NAMES[quantity]} at n = {shown.n.iloc[0]}", loc="left")
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8)
     return figure
 
@@ -176,7 +175,7 @@ def rings_plot(rings, variants, quantity: str) -> Figure:
     """
     figure = Figure(figsize=(7.4, 3.4))
     panels = figure.subplots(1, len(variants), sharey=True, squeeze=False)[0]
-    figure.subplots_adjust(left=0.08, right=0.9, bottom=0.14, top=0.9, wspace=0.35)
+    figure.subplots_adjust(left=0.08, right=0.9, bottom=0.17, top=0.9, wspace=0.35)
     colours = matplotlib.colormaps["viridis"](np.linspace(0, 0.9, rings.valence.nunique()))
     for axes, (estimator, variant, label) in zip(panels, variants):
         of = (rings.estimator == estimator) & (rings.variant == variant)
@@ -200,13 +199,17 @@ def rings_plot(rings, variants, quantity: str) -> Figure:
                 fontsize=6,
                 color=colour,
             )
+    note = "beside a panel: valence, r(egular, full line) or i(rregular, dashed): slope"
+    figure.text(0.98, 0.02, note, ha="right", fontsize=6)
     panels[0].set_ylabel(f"mean absolute error of {SYMBOLS[quantity]} ({UNITS[quantity]})")
     return figure
 
 
-def _options(choices):
-    return dict.fromkeys(option for choice in choices for option in choice)
+def _options(readings):
+    return dict.fromkeys(option for choice in readings.values() for option in choice)
 
 
-def _values(choices, option):
-    return dict.fromkeys(choice[option] for choice in choices if option in choice)
+def _values(choices, readings, option):
+    """Values of an option in the order of the readings; of the cut in that of their names."""
+    order = [r[option] for r in readings.values() if option in r]
+    return dict.fromkeys(order or sorted(c[option] for c in choices))

@@ -56,7 +56,7 @@ def write_rows(path, rows) -> None:
 
 
 def read_values(path) -> dict:
-    """(surface, diagonal, n) -> Estimates in the default reading, from a file of `run_estimator`."""
+    """(surface, diagonal, n) -> Estimates in the default reading, of `run_estimator`."""
     results = {}
     with open_hdf5(path) as file:
         for surface, diagonals in file.items():

@@ -51,9 +51,9 @@ class Study:
         return [(*m, True) for m in every] + [(*m, False) for m in more if m not in every]
 
     def choices(self) -> dict[str, tuple]:
-        """Every option of the study's estimators, and `vertices`: its values, defaults first."""
+        """Every option of any estimator, and `vertices`: its values, defaults first."""
         found = {}
-        for name in self.estimators:
+        for name in dict.fromkeys((*estimators.names(), *self.estimators)):
             for option, values in estimator_options(name).items():
                 found[option] = tuple(dict.fromkeys((*found.get(option, ()), *values)))
         return found | {"vertices": VERTICES}
@@ -86,7 +86,7 @@ class Study:
         return changed != default or reading.get("vertices", VERTICES[0]) != VERTICES[0]
 
     def options(self, estimator: str, reading: dict) -> dict:
-        """All options of an estimator in a reading: its defaults, and what it knows of the reading."""
+        """All options of an estimator in a reading: what it knows of that, else its defaults."""
         known = estimator_options(estimator)
         return {
             option: reading[option] if reading.get(option) in values else values[0]

@@ -76,6 +76,7 @@ def ring_rows(estimator: str, variants: dict, seed: int = 0):
         for kind, jitter in (("regular", 0.0), ("irregular", 0.2)):
             rng = np.random.default_rng([seed, n])
             k1, k2, p, q, r = rng.uniform(-1, 1, (5, 1, RING_DRAWS))
+            p, q, r = p / 2, q / 2, r / 2  # so that the quadric reaches over the largest ring
             turn = rng.uniform(0, 2 * np.pi, (1, RING_DRAWS))
             steps = np.arange(n)[:, None] + jitter * rng.uniform(-1, 1, (n, RING_DRAWS))
             distance = 1 + jitter * rng.uniform(-1, 1, (n, RING_DRAWS))
