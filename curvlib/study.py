@@ -7,6 +7,7 @@ from pathlib import Path
 from .catalogue import estimators, surfaces
 from .errors import InputError, check_name
 from .estimation import check_options, readings
+from .library import open_archive
 from .tessellation import DIAGONALS, check_resolution
 
 
@@ -21,6 +22,7 @@ class Study:
     estimators: list
     resolutions: list
     diagonals: list
+    dataset_resolutions: list
     readings: dict
     library: Path
     results: Path
@@ -49,10 +51,13 @@ class Study:
     def _estimators(self, value):
         return _names("estimators", value, estimators)
 
-    def _resolutions(self, value):
-        for n in _list("resolutions", value):
-            check_resolution(n, "config: resolutions")
+    def _resolutions(self, value, key="resolutions"):
+        for n in _list(key, value):
+            check_resolution(n, f"config: {key}")
         return sorted(set(value))
+
+    def _dataset_resolutions(self, value):
+        return self._resolutions(value, "dataset_resolutions")
 
     def _diagonals(self, value):
         for diagonal in _list("diagonals", value):
@@ -71,7 +76,13 @@ class Study:
         return {reading: changes or {} for reading, changes in value.items()}
 
     def _library(self, value):
-        return _folder("library", value)
+        if Path(value).suffix != ".zip":
+            return _folder("library", value)
+        try:
+            with open_archive(value):
+                return Path(value)
+        except InputError as error:
+            raise InputError(f"config: library: {error}") from None
 
     def _results(self, value):
         return _folder("results", value)

@@ -15,6 +15,7 @@ rule accuracy:
     conda:
         "../envs/curvlib.yaml"
     params:
+        meshes=MESHES,
         variants={
             name: {
                 reading: variant(study.options(ESTIMATORS[name], reading))

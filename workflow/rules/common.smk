@@ -1,6 +1,7 @@
 # What all stages share. In: config. Out: `study`, checked; code(), what a result depends on.
 import os
 import sys
+from itertools import product
 from pathlib import Path
 
 # This checkout's curvlib, here and in the jobs, whatever else is installed.
@@ -33,6 +34,9 @@ def code(script, *files):
 SURFACES = {Path(name).stem: name for name in study.surfaces}
 ESTIMATORS = {Path(name).stem: name for name in study.estimators}
 
+
+# The meshes that the study looks at; a library may hold others too.
+MESHES = list(product(SURFACES, study.diagonals, study.resolutions))
 
 # The paper's figures of errors, by quantity: their surfaces.
 PAPER_FIGURES = {

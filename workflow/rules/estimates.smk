@@ -12,6 +12,7 @@ rule estimate:
     conda:
         "../envs/curvlib.yaml"
     params:
+        meshes=MESHES,
         estimator=lambda wildcards: ESTIMATORS[wildcards.estimator],
         variants=lambda wildcards: study.variants(ESTIMATORS[wildcards.estimator]),
         code=lambda wildcards: code("estimate", estimators.path(ESTIMATORS[wildcards.estimator])),

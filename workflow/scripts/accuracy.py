@@ -8,7 +8,7 @@ from curvlib.library import load_library
 from curvlib.results import read_estimates
 
 with logged(snakemake.log[0]):
-    meshes = load_library(*snakemake.input.library)
+    meshes = load_library(*snakemake.input.library).only(snakemake.params.meshes)
     estimates = zip(snakemake.params.variants, map(read_estimates, snakemake.input.estimates))
     tables = accuracy.tables(meshes, dict(estimates), snakemake.params.variants)
     for name, table in tables.items():

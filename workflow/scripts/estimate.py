@@ -7,7 +7,7 @@ from curvlib.results import write_estimates
 
 with logged(snakemake.log[0]):
     params = snakemake.params
-    meshes = load_library(*snakemake.input.library)
+    meshes = load_library(*snakemake.input.library).only(snakemake.params.meshes)
     write_estimates(
         snakemake.output[0],
         (
