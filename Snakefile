@@ -13,6 +13,7 @@ if study.library.suffix == ".zip":
 else:
 
     include: "workflow/rules/library.smk"
+    include: "workflow/rules/dataset.smk"
 
 
 include: "workflow/rules/estimates.smk"

@@ -31,6 +31,11 @@ def mesh_files(surface: str, diagonal: str, n: int) -> list[str]:
     return [f"{surface}/{surface}.{diagonal}.{n:03d}{kind}" for kind in WRITERS]
 
 
+def nurbs_file(surface: str) -> str:
+    """The file of a surface, relative to the library's folder."""
+    return f"{surface}/{surface}.json"
+
+
 def write_library(surface: Surface, meshes, folder) -> None:
     """Tessellate a surface, for every (diagonal, n) of `meshes`, and write the files of each.
 
@@ -43,13 +48,23 @@ def write_library(surface: Surface, meshes, folder) -> None:
             "mesh": f"{n} x {n} cells, diagonal {diagonal}, "
             f"{len(mesh.faces)} triangles, {len(mesh.vertices)} vertices",
             "values": CONVENTIONS,
-            "source": f"curvlib, from the NURBS surface {surface.name}.json",
+            "source": f"curvlib, from {nurbs_file(surface.name)}",
         }
         for file, write in zip(mesh_files(surface.name, diagonal, n), WRITERS.values()):
             path = Path(folder, file)
             path.parent.mkdir(parents=True, exist_ok=True)
             with whole_file(path) as part:
                 write(part, mesh, about)
+
+
+def write_nurbs(surface: Surface, folder) -> None:
+    """Write the surface itself, for `geomdl.exchange.import_json`."""
+    from geomdl.exchange import export_json
+
+    path = Path(folder, nurbs_file(surface.name))
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with whole_file(path) as part:
+        export_json(surface.model, str(part))
 
 
 def load_library(*paths) -> "Library":
