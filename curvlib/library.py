@@ -48,7 +48,7 @@ def write_library(surface: Surface, meshes, folder) -> None:
             "mesh": f"{n} x {n} cells, diagonal {diagonal}, "
             f"{len(mesh.faces)} triangles, {len(mesh.vertices)} vertices",
             "values": CONVENTIONS,
-            "source": f"curvlib, from {nurbs_file(surface.name)}",
+            "source": f"curvlib, from the NURBS surface in {nurbs_file(surface.name)}",
         }
         for file, write in zip(mesh_files(surface.name, diagonal, n), WRITERS.values()):
             path = Path(folder, file)

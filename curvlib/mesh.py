@@ -65,6 +65,11 @@ class Mesh:
     def __repr__(self):
         return f"<Mesh of {len(self.vertices)} vertices, {len(self.faces)} faces>"
 
+    @property
+    def H2(self):
+        """H^2, (V,), which the paper's library holds; None without H."""
+        return None if self.H is None else self.H * self.H
+
     @cached_property
     def _twins(self):
         """For half-edge 3 f + k, from corner k of face f to the next: the opposite half-edge,

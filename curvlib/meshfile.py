@@ -36,7 +36,7 @@ def write_vtkhdf(path, mesh: Mesh, about: dict) -> None:
             cells["NumberOfConnectivityIds"] = [faces.size]
         data = root.create_group("PointData")
         arrays = {name: getattr(mesh, name) for name in FIELDS}
-        arrays |= {"H2": mesh.H**2, "boundary": mesh.boundary}
+        arrays |= {"H2": mesh.H2, "boundary": mesh.boundary}
         for name, array in arrays.items():
             data[name] = array.astype(np.uint8) if array.dtype == bool else array
 
@@ -54,7 +54,7 @@ def write_ply(path, mesh: Mesh, about: dict) -> None:
     """Binary PLY in double precision: x y z, the normal, K, H2 = H^2, and K again as `quality`,
     the only scalar that MeshLab shows. `about`: comment lines of its header."""
     columns = {"x y z": mesh.vertices, "nx ny nz": mesh.normals}
-    columns |= {"K": mesh.K, "H2": mesh.H**2, "quality": mesh.K}
+    columns |= {"K": mesh.K, "H2": mesh.H2, "quality": mesh.K}
     names = " ".join(columns).split()
     face = np.dtype([("count", "u1"), ("vertices", "<i4", 3)])
     faces = np.empty(len(mesh.faces), dtype=face)
@@ -81,5 +81,5 @@ def write_text(path, mesh: Mesh, about: dict) -> None:
     `about`: lines before them, which start with #.
     """
     header = "\n".join([*(f"{key}: {value}" for key, value in about.items()), "x y z K H^2"])
-    rows = np.column_stack((mesh.vertices, mesh.K, mesh.H**2))
+    rows = np.column_stack((mesh.vertices, mesh.K, mesh.H2))
     np.savetxt(path, rows, fmt="%.17g", header=header)

@@ -29,9 +29,14 @@ IMPORTS = {
     "tessellation": {"errors", "mesh", "nurbs"},
     "estimators": {"estimators", "fit", "ring", "vectors"},
     "estimation": {"catalogue", "errors", "mesh", "ring"},
-    "library": {"errors", "mesh", "nurbs", "tessellation"},
+    "meshfile": {"mesh"},
+    "library": {"errors", "mesh", "meshfile", "nurbs", "tessellation"},
+    "dataset": {"library"},
+    "description": {"dataset", "library"},
+    "fetch": {"dataset", "errors", "library"},
+    "cli": {"__version__", "errors", "fetch"},
     "results": {"estimation", "library"},
-    "study": {"catalogue", "errors", "estimation", "tessellation"},
+    "study": {"catalogue", "errors", "estimation", "library", "tessellation"},
     "provenance": set(),
     "job": {"errors"},
     "accuracy": set(),
@@ -62,7 +67,7 @@ def test_imports_point_one_way():
 
 
 def test_an_import_brings_nothing_heavy():
-    heavy = "scipy pandas matplotlib pyvista h5py snakemake"
+    heavy = "scipy pandas matplotlib pyvista h5py pooch snakemake"
     code = f"import sys, curvlib; print([m for m in '{heavy}'.split() if m in sys.modules])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
@@ -93,6 +98,7 @@ def test_a_folder_that_cannot_be_written_to(monkeypatch, tmp_path):
     keys = {"surfaces": "all", "estimators": "all", "resolutions": [8], "diagonals": ["same"]}
     config = {
         **keys,
+        "dataset_resolutions": [16],
         "readings": {"default": {}},
         "library": str(tmp_path),
         "results": str(tmp_path),
@@ -109,6 +115,7 @@ def test_study_shares_what_readings_have_in_common(tmp_path):
         "estimators": ["gauss_bonnet", "watanabe_b"],
         "resolutions": [12, 8, 8],
         "diagonals": ["same"],
+        "dataset_resolutions": [16],
         "readings": {"default": {}, "half": {"gauss_bonnet": {"area": "half"}}},
         "library": str(tmp_path),
         "results": str(tmp_path),
