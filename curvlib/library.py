@@ -125,10 +125,12 @@ class Library(Mapping):
     def _check(self, key):
         surface, diagonal, n = key
         if key not in self._files:
-            check_name("surface", surface, self.surfaces())
-            check_name("diagonal", diagonal, sorted({d for s, d, _ in self if s == surface}))
-            valid = [str(m) for s, d, m in self if (s, d) == (surface, diagonal)]
-            check_name("resolution", str(n), valid, f"{surface}, diagonal {diagonal}")
+            where = os.path.commonpath([os.path.abspath(path) for path, _ in self._files.values()])
+            check_name("surface", surface, self.surfaces(), where)
+            of_surface = [(d, m) for s, d, m in self if s == surface]
+            check_name("diagonal", diagonal, sorted({d for d, _ in of_surface}), where)
+            valid = [str(m) for d, m in of_surface if d == diagonal]
+            check_name("resolution", str(n), valid, f"{where}, {surface}, diagonal {diagonal}")
 
 
 def _meshes(path):

@@ -11,6 +11,7 @@ import mlcroissant
 import numpy as np
 import pandas as pd
 import pytest
+import yaml
 
 import curvlib
 from curvlib.dataset import parse_sums, write_archive
@@ -147,9 +148,14 @@ def test_data_package_is_valid(unpacked):
     assert [error[0] for error in report.flatten(["type"])] == ["hash-count"]
 
 
-def test_versions_agree():
-    citation = (ROOT / "CITATION.cff").read_text()
-    assert f"\nversion: {curvlib.__version__}\n" in citation
+def test_citation(unpacked):
+    """Of the archive: its own version and date. Of the project: that of the package."""
+    found = yaml.safe_load((unpacked / "CITATION.cff").read_text())
+    assert (found["type"], found["version"]) == ("dataset", "0.0.0")
+    assert str(found["date-released"]) == "2003-09-14"
+    project = yaml.safe_load((ROOT / "CITATION.cff").read_text())
+    assert project["version"] == curvlib.__version__
+    assert found["references"] == project["references"]
 
 
 def test_nothing_half_written(tmp_path):

@@ -72,7 +72,7 @@ def test_reruns_what_changed_and_nothing_else(study):
     first = rules(study("--cores", "1"))
     assert first["library"] == first["estimate"] == 2
     one_core = contents(study.folder)
-    assert {"results/tables/errors.csv", "data/library/sphere/same-008.txt"} <= set(one_core)
+    assert {"results/tables/errors.csv", "data/library/sphere/sphere.same.008.txt"} <= set(one_core)
     assert "Nothing to be done" in study()
 
     estimator = study.folder / "curvlib/estimators/paraboloid.py"
@@ -133,6 +133,8 @@ def test_a_new_file_is_all_it_takes(study):
             "reading 'a': unknown area of gauss_bonnet 'halv'; did you mean 'half'?",
         ),
         ("results: Snakefile", "'Snakefile' is not a folder"),
+        ("dataset_resolutions: [64, 1]", "dataset_resolutions: resolution 1 is not an integer"),
+        ("library: none.zip", "library: none.zip: missing"),
     ],
 )
 def test_a_mistake_is_one_line_before_any_job(study, config, message):
@@ -156,9 +158,36 @@ def test_readme_shows_what_the_study_says(study):
 
 
 def test_truncated_library_file(study):
-    study("--cores", "2", "data/library/sphere.h5", "data/library/teapot_spout.h5")
-    path = study.folder / "data/library/sphere.h5"
+    study("--cores", "2", "--until", "library")
+    path = study.folder / "data/library/sphere/sphere.same.012.vtkhdf"
     path.write_bytes(path.read_bytes()[:3000])
     output = study("--cores", "1", "results/estimates/paraboloid.h5", ok=False)
-    assert "error: data/library/sphere.h5: cut off or not HDF5" in output
+    assert "error: data/library/sphere/sphere.same.012.vtkhdf: cut off or not HDF5" in output
     assert not list(study.folder.glob("results/**/*.h5*"))
+
+
+def test_archive_takes_the_place_of_the_meshes(study):
+    for name in ("CITATION.cff", "LICENSE-data", "requirements.lock"):
+        shutil.copy(ROOT / name, study.folder)
+    with (study.folder / "small.yaml").open("a") as config:
+        config.write("dataset_resolutions: [8, 10]\n")
+    results = study.folder / "results"
+    first = rules(study("--cores", "1", "dataset"))
+    assert first == {"library": 2, "further_library": 2, "nurbs": 1, "dataset": 1, "total": 6}
+    (archive,) = (results / "dataset").glob("*.zip")
+    made = archive.read_bytes()
+    study("--cores", "2", "--forceall", "dataset")
+    assert archive.read_bytes() == made, "other bytes the second time, on two cores"
+
+    assert "library" not in rules(study("figures")), "its meshes are those of the study"
+    tables = {path: path.read_bytes() for path in (results / "tables").iterdir()}
+    downloaded = shutil.move(archive, study.folder)
+    shutil.rmtree(results)
+    shutil.rmtree(study.folder / "data")
+    study("figures", "--config", f"library={downloaded}")
+    assert {path: path.read_bytes() for path in (results / "tables").iterdir()} == tables
+    assert not (study.folder / "data").exists()
+
+    (study.folder / "small.yaml").write_text("surfaces: [sphere, cone]\nresolutions: [8]\n")
+    output = study("figures", "--config", f"library={downloaded}", ok=False)
+    assert f"{downloaded}: unknown surface 'cone'; did you mean" in output

@@ -6,7 +6,7 @@ from curvlib.library import nurbs_file
 ALL_MESHES = sorted(MESHES + [(surface, *mesh) for surface in SURFACES for mesh in FURTHER_GRID])
 TEMPLATES = [
     f"{workflow.basedir}/workflow/archive/{name}"
-    for name in ("README.md", "croissant.json", "datapackage.json")
+    for name in ("README.md", "CITATION.cff", "croissant.json", "datapackage.json")
 ]
 
 

@@ -12,8 +12,6 @@ from curvlib.library import load_library
 with logged(snakemake.log[0]):
     files, params = snakemake.input, snakemake.params
     members = {str(Path(f).relative_to(params.folder)): Path(f) for f in files.files + files.nurbs}
-    texts = {"LICENSE": files.licence, "CITATION.cff": files.citation}
-    texts = {name: Path(file) for name, file in texts.items()}
     described = describe(
         files.templates,
         members,
@@ -21,7 +19,7 @@ with logged(snakemake.log[0]):
         {name: surfaces.module(file).LABEL for name, file in params.surfaces.items()},
         name=Path(snakemake.output.archive).stem,
         version=params.version,
-        released=re.search(r"^date-released: (.*)$", texts["CITATION.cff"].read_text(), re.M)[1],
+        released=re.search(r"^date-released: (.*)$", Path(files.citation).read_text(), re.M)[1],
     )
-    texts["requirements.lock"] = Path(files.versions)
+    texts = {"LICENSE": Path(files.licence), "requirements.lock": Path(files.versions)}
     write_archive(snakemake.output.archive, members | texts | described)
