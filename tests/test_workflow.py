@@ -166,7 +166,7 @@ def test_truncated_library_file(study):
     assert not list(study.folder.glob("results/**/*.h5*"))
 
 
-def test_archive_takes_the_place_of_the_meshes(study):
+def test_archive_takes_the_place_of_the_meshes(study, monkeypatch):
     for name in ("CITATION.cff", "LICENSE-data", "requirements.lock"):
         shutil.copy(ROOT / name, study.folder)
     with (study.folder / "small.yaml").open("a") as config:
@@ -176,8 +176,10 @@ def test_archive_takes_the_place_of_the_meshes(study):
     assert first == {"library": 2, "further_library": 2, "nurbs": 1, "dataset": 1, "total": 6}
     (archive,) = (results / "dataset").glob("*.zip")
     made = archive.read_bytes()
-    study("--cores", "2", "--forceall", "dataset")
-    assert archive.read_bytes() == made, "other bytes the second time, on two cores"
+    with monkeypatch.context() as older_machine:
+        older_machine.setenv("NPY_DISABLE_CPU_FEATURES", "X86_V3 X86_V4 AVX512_ICL AVX512_SPR")
+        study("--cores", "2", "--forceall", "dataset")
+    assert archive.read_bytes() == made, "other bytes on two cores without vector instructions"
 
     assert "library" not in rules(study("figures")), "its meshes are those of the study"
     tables = {path: path.read_bytes() for path in (results / "tables").iterdir()}
