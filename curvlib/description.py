@@ -23,13 +23,15 @@ def describe(templates, members: dict, library: Library, labels: dict, **facts) 
     texts = [mesh_files(*key)[-1] for key in library]
     per_surface = table.groupby("surface", sort=False)
     summary = per_surface.agg({"label": "first", "n": "size", "K_min": "min", "K_max": "max"})
+    # + 0 makes 0 of -0, which is left of K = -1e-30 on a cone.
+    summary[["K_min", "K_max"]] = summary[["K_min", "K_max"]].round(3) + 0
     summary = summary.reset_index().rename(columns={"n": "meshes"})
     facts |= {
         "surfaces": len(labels),
         "meshes": len(table),
         "triangles": f"{table.triangles.sum():,}",
         "megabytes": round(sum(path.stat().st_size for path in members.values()) / 1e6),
-        "table": summary.to_markdown(index=False, floatfmt=".4g"),
+        "table": summary.to_markdown(index=False, floatfmt="g"),
         "meshes_bytes": len(meshes.encode()),
         "meshes_hash": hashlib.sha256(meshes.encode()).hexdigest(),
         "texts": ",\n".join(_text_resource(name, members[name]) for name in texts),

@@ -1,5 +1,7 @@
 """Getting an archive of the library: from the web or from a path, checked, unpacked whole."""
 
+import os
+from functools import partial
 from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
 from urllib.parse import urljoin, urlsplit
@@ -22,17 +24,17 @@ def fetch(source: str, folder=".") -> Path:
     target = Path(folder, PurePosixPath(name).stem)
     if not name.endswith(".zip"):
         raise InputError(f"{source}: not an archive; give the URL or path of a .zip file")
-    if not Path(folder).is_dir():
-        raise InputError(f"{folder}: no such folder to unpack into")
+    if not os.access(folder, os.W_OK):
+        raise InputError(f"{folder}: no folder that can be written to, to unpack into")
     if target.exists():
         raise InputError(f"{target}: exists already; remove it, or unpack into another folder")
     with TemporaryDirectory(prefix=f".{target.name}.", dir=folder) as temporary:
-        get = _download if remote else _local
-        sums = get(urljoin(source, SUMS) if remote else Path(source).with_name(SUMS), temporary)
+        get = partial(_download, folder=temporary) if remote else _local
+        sums = get(urljoin(source, SUMS) if remote else Path(source).with_name(SUMS))
         expected = parse_sums(sums.read_text(errors="replace")).get(name)
         if expected is None:
             raise InputError(f"{source}: {SUMS} beside it does not list {name}")
-        archive = get(source, temporary)
+        archive = get(source)
         found = file_hash(archive)
         if found != expected:
             raise InputError(
@@ -43,9 +45,9 @@ def fetch(source: str, folder=".") -> Path:
     return target
 
 
-def _local(path, _):
+def _local(path):
     if not Path(path).is_file():
-        raise InputError(f"{path}: no such file")
+        raise InputError(f"{path}: no such file; an archive is needed, and {SUMS} beside it")
     return Path(path)
 
 
@@ -79,5 +81,5 @@ def _unpack(path, top, folder):
                 if f"{top}/{name}" not in names:
                     raise InputError(f"{path}: member {top}/{name} is missing")
             archive.extractall(folder)
-        except BadZipFile as error:
+        except (BadZipFile, OSError, RuntimeError) as error:
             raise InputError(f"{path}: cannot be unpacked ({error})") from None

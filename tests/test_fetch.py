@@ -169,5 +169,5 @@ def test_a_folder_that_is_there_already(published, here):
     with pytest.raises(curvlib.InputError, match="exists already"):
         fetch(f"../published/{NAME}.zip")
     assert [p.name for p in here.rglob("*")] == [NAME, "mine"]
-    with pytest.raises(curvlib.InputError, match="no such folder"):
+    with pytest.raises(curvlib.InputError, match="none: no folder"):
         fetch(f"../published/{NAME}.zip", "none")
