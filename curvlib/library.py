@@ -105,7 +105,8 @@ class Library(Mapping):
             try:
                 return read_vtkhdf(file)
             except (KeyError, OSError) as error:
-                raise InputError(f"{member or path}: not a mesh of a library ({error})") from None
+                where = _place(path, member)
+                raise InputError(f"{where}: not a mesh of a library ({error})") from None
 
     def mesh(self, surface: str, n: int, diagonal: str = "same") -> Mesh:
         """The mesh of a surface at resolution n; InputError, with the nearest, if there is none."""
@@ -148,6 +149,10 @@ def _meshes(path):
             yield (surface, key[0], int(key[1])), tuple(place)
 
 
+def _place(path, member):
+    return path if member is None else f"{path}: {member}"
+
+
 @contextmanager
 def whole_file(path):
     """A path to write to that becomes `path` at the end, or is removed on an error."""
@@ -167,7 +172,7 @@ def open_archive(path):
         archive = ZipFile(path)
     except (BadZipFile, OSError) as error:
         reason = "missing" if isinstance(error, FileNotFoundError) else "cut off or no zip file"
-        raise InputError(f"{path}: {reason}") from None
+        raise InputError(f"{path}: {reason}; get it again") from None
     with archive:
         yield archive
 
@@ -186,6 +191,6 @@ def open_hdf5(path, member=None):
                 file = h5py.File(io.BytesIO(archive.read(member)), "r")
     except (BadZipFile, OSError) as error:
         reason = "missing" if isinstance(error, FileNotFoundError) else "cut off or not HDF5"
-        raise InputError(f"{member or path}: {reason}") from None
+        raise InputError(f"{_place(path, member)}: {reason}; get or make it again") from None
     with file:
         yield file
