@@ -6,7 +6,16 @@ configfile: f"{workflow.basedir}/config/config.yaml"
 
 
 include: "workflow/rules/common.smk"
-include: "workflow/rules/library.smk"
+
+
+if study.library.suffix == ".zip":
+    LIBRARY = [study.library]
+else:
+
+    include: "workflow/rules/library.smk"
+    include: "workflow/rules/dataset.smk"
+
+
 include: "workflow/rules/estimates.smk"
 include: "workflow/rules/accuracy.smk"
 include: "workflow/rules/claims.smk"

@@ -7,7 +7,17 @@ import numpy as np
 from .errors import InputError
 
 # Exact values that a mesh can carry, with the shape behind V.
-FIELDS = {"uv": (2,), "normals": (3,), "K": (), "H": (), "k1": (), "k2": (), "smooth": ()}
+FIELDS = {
+    "uv": (2,),
+    "normals": (3,),
+    "K": (),
+    "H": (),
+    "k1": (),
+    "k2": (),
+    "d1": (3,),
+    "d2": (3,),
+    "smooth": (),
+}
 
 
 class Mesh:
@@ -15,7 +25,7 @@ class Mesh:
 
     `vertices` (V, 3) float64, `faces` (F, 3) int, counter-clockwise seen from outside.
     Optional, else None: `uv` (V, 2), `normals` (V, 3) unit, `K`, `H`, `k1`, `k2` (V,) exact
-    and pointwise, `smooth` (V,) bool.
+    and pointwise, their directions `d1`, `d2` (V, 3) unit, `smooth` (V,) bool.
 
     Raises InputError where an array has the wrong shape, a coordinate is not finite or a face
     refers to no vertex.
@@ -54,6 +64,11 @@ class Mesh:
 
     def __repr__(self):
         return f"<Mesh of {len(self.vertices)} vertices, {len(self.faces)} faces>"
+
+    @property
+    def H2(self):
+        """H^2, (V,), which the paper's library holds; None without H."""
+        return None if self.H is None else self.H * self.H
 
     @cached_property
     def _twins(self):

@@ -9,12 +9,14 @@ from .fit import least_squares
 from .patches import Patches
 from .vectors import cross, dot, norm
 
-Curvature = namedtuple("Curvature", "K H k1 k2 smooth normal")
+Curvature = namedtuple("Curvature", "K H k1 k2 d1 d2 smooth normal")
 Curvature.__doc__ = """Exact curvature at points of a surface, pointwise.
 
-K, H and k1 >= k2 (...), smooth (...) bool: the surface is C^2 there, normal (..., 3) unit.
-H > 0 where the surface bends away from its normal. Where the one-sided values differ, K, H,
-k1 and k2 are NaN and smooth is False; the normal is NaN only where the normals differ.
+K, H and k1 >= k2 (...), d1 and d2 (..., 3) unit: the directions of k1 and k2, smooth (...)
+bool: the surface is C^2 there, normal (..., 3) unit. H > 0 where the surface bends away from
+its normal. d1, d2 and the normal are right-handed; d1 and -d1 are the same direction. Where
+k1 = k2 to rounding (umbilics), d1 and d2 are NaN. Where the one-sided values differ, all but
+the normal are NaN and smooth is False; the normal is NaN only where the normals differ.
 """
 
 # One-sided values that agree to this, relative to the largest curvature, are one value; the
@@ -69,7 +71,7 @@ class Surface:
         below_v, above_v = self._sides(1, v)
         values = self._one_sided(*above_u, *above_v)
         on_joint = np.flatnonzero((below_u[0] != above_u[0]) | (below_v[0] != above_v[0]))
-        smooth, one_normal = np.isfinite(values[0]), np.isfinite(values[4])
+        smooth, one_normal = np.isfinite(values[0]), np.isfinite(values[-1])
         sides = np.array(
             [
                 self._one_sided(*(x[on_joint] for x in (*side_u, *side_v)))
@@ -82,11 +84,11 @@ class Surface:
             here = (u, v)[axis] == self.domain[axis][end]
             if here.any():
                 values[:, here] = pole[:, None]
-                smooth[here], one_normal[here] = np.isfinite(pole[0]), np.isfinite(pole[4])
-        values[:4, ~smooth] = np.nan
-        values[4:, ~one_normal] = np.nan
-        K, H, k1, k2 = values[:4].reshape(4, *shape)
-        return Curvature(K, H, k1, k2, smooth.reshape(shape), values[4:].T.reshape(*shape, 3))
+                smooth[here], one_normal[here] = np.isfinite(pole[0]), np.isfinite(pole[-1])
+        values[:-3, ~smooth] = np.nan
+        values[-3:, ~one_normal] = np.nan
+        d1, d2, normal = (x.T.reshape(*shape, 3) for x in np.split(values[4:], 3))
+        return Curvature(*values[:4].reshape(4, *shape), d1, d2, smooth.reshape(shape), normal)
 
     def _arguments(self, u, v):
         u, v = np.broadcast_arrays(np.asarray(u, float), np.asarray(v, float))
@@ -114,15 +116,16 @@ class Surface:
         )
 
     def _agree(self, sides):
-        """Whether curvatures, and whether normals, of all sides (sides, 7, m) are the same."""
-        one_normal = np.ptp(sides[:, 4:], axis=0).max(0) <= AGREE_NORMAL
+        """Whether curvatures, and whether normals, of all sides (sides, 13, m) are the same."""
+        one_normal = np.ptp(sides[:, -3:], axis=0).max(0) <= AGREE_NORMAL
         scale = np.maximum(np.abs(sides[:, 2:4]).max((0, 1)), 1 / self._patches.size)
         same_K = np.ptp(sides[:, 0], axis=0) <= AGREE * scale * scale
         same_H = np.ptp(sides[:, 1], axis=0) <= AGREE * scale
         return same_K & same_H & one_normal, one_normal
 
     def _one_sided(self, span_u, u, span_v, v):
-        """K, H, k1, k2 and the normal's components, (7, m); NaN at a singular point.
+        """K, H, k1, k2 and the components of d1, d2 and the normal, (13, m); NaN at a singular
+        point.
 
         The second fundamental form is taken in the orthonormal frame of S_u / |S_u| and
         n x S_u / |S_u|: there k1 - k2 is a length, exact also where k1 = k2.
@@ -137,10 +140,10 @@ class Surface:
             a = L / (p * p)
             b = (M / p - q * a) / r
             c = (N - q * q * a - 2 * q * r * b) / (r * r)
-        return np.array([*_principal(a, b, c), *n])
+            return _principal(a, b, c, S_u / p, n, self._patches.size)
 
     def _pole(self, axis, end):
-        """As `_one_sided`, (7,), at a pole; NaN where the surface is not C^2 (not C^1) there.
+        """As `_one_sided`, (13,), at a pole; NaN where the surface is not C^2 (not C^1) there.
 
         Every meridian passes through the pole, so each gives II(d, d) = S_vv . n in its own
         direction d = S_v; all of them together have to be one quadratic form.
@@ -160,9 +163,9 @@ class Surface:
 
 
 def _from_meridians(along, second, across, size):
-    """Pole values (7,) from the first (3, m) and second derivatives along the meridians through
+    """Pole values (13,) from the first (3, m) and second derivatives along the meridians through
     it, and the derivative `across` them of the first, signed so that across x along is outward."""
-    nothing = np.full(7, np.nan)
+    nothing = np.full(13, np.nan)
     speed = norm(along)
     if not (speed > 1e-12 * size).all():
         return nothing
@@ -176,14 +179,21 @@ def _from_meridians(along, second, across, size):
     x, y = dot(d, e1[:, None]), dot(d, cross(n, e1)[:, None])
     kn = -dot(second, n[:, None]) / (speed * speed)
     columns = np.array([x * x, 2 * x * y, y * y])
-    a, b, c = form = least_squares(columns[..., None], kn[:, None])[:, 0]
+    form = least_squares(columns[..., None], kn[:, None])[:, 0]
     residual = np.abs(dot(columns, form[:, None]) - kn).max()
     smooth = residual <= AGREE * max(np.abs(kn).max(), 1 / size)
-    return np.array([*(_principal(a, b, c) if smooth else nothing[:4]), *n])
+    return _principal(*form, e1, n, size) if smooth else np.array([*nothing[:-3], *n])
 
 
-def _principal(a, b, c):
-    """K, H, k1, k2 of the form [[a, b], [b, c]] in an orthonormal frame."""
+def _principal(a, b, c, e1, n, size):
+    """K, H, k1, k2, d1, d2, n (13, ...) of the form [[a, b], [b, c]] in the frame e1, n x e1."""
     H, half = (a + c) / 2, (a - c) / 2
     gap = np.sqrt(half * half + b * b)
-    return a * c - b * b, H, H + gap, H - gap
+    k1, k2 = H + gap, H - gap
+    # (half + gap, b) and (b, gap - half) both point along k1; of two the longer does not cancel.
+    steep = half < 0
+    x, y = np.where(steep, b, half + gap), np.where(steep, gap - half, b)
+    scale = np.maximum(np.maximum(np.abs(k1), np.abs(k2)), 1 / size)
+    length = np.where(gap > AGREE * scale, np.sqrt(x * x + y * y), np.nan)
+    d1 = (x * e1 + y * cross(n, e1)) / length
+    return np.array([a * c - b * b, H, k1, k2, *d1, *cross(n, d1), *n])

@@ -8,6 +8,7 @@ from pathlib import Path
 from .catalogue import estimators, surfaces
 from .errors import InputError, check_name
 from .estimation import readings as estimator_options
+from .library import open_archive
 from .tessellation import check_cut, check_resolution
 
 # A choice that no estimator makes: which vertices count. Defaults first, as everywhere.
@@ -149,7 +150,13 @@ class Study:
         return value
 
     def _library(self, value):
-        return _folder("library", value)
+        if Path(value).suffix != ".zip":
+            return _folder("library", value)
+        try:
+            with open_archive(value):
+                return Path(value)
+        except InputError as error:
+            raise InputError(f"config: library: {error}") from None
 
     def _results(self, value):
         return _folder("results", value)

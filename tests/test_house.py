@@ -29,11 +29,16 @@ IMPORTS = {
     "tessellation": {"errors", "mesh", "nurbs"},
     "estimators": {"estimators", "fit", "ring", "vectors"},
     "estimation": {"catalogue", "errors", "mesh", "ring"},
-    "library": {"errors", "mesh", "nurbs", "tessellation"},
+    "meshfile": {"mesh"},
+    "library": {"errors", "mesh", "meshfile", "nurbs", "tessellation"},
+    "dataset": {"library"},
+    "description": {"dataset", "library"},
+    "fetch": {"dataset", "errors", "library"},
+    "cli": {"__version__", "errors", "fetch"},
     "norms": {"mesh", "nurbs"},
     "results": {"estimation", "library", "norms"},
     "trials": {"catalogue", "estimation", "mesh", "ring"},
-    "study": {"catalogue", "errors", "estimation", "tessellation"},
+    "study": {"catalogue", "errors", "estimation", "library", "tessellation"},
     "provenance": set(),
     "job": {"errors"},
     "accuracy": {"norms"},
@@ -66,7 +71,7 @@ def test_imports_point_one_way():
 
 
 def test_an_import_brings_nothing_heavy():
-    heavy = "scipy pandas matplotlib pyvista h5py snakemake"
+    heavy = "scipy pandas matplotlib pyvista h5py pooch snakemake"
     code = f"import sys, curvlib; print([m for m in '{heavy}'.split() if m in sys.modules])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"

@@ -76,7 +76,7 @@ def test_reruns_what_changed_and_nothing_else(study):
     first = rules(study("--cores", "1"))
     assert first["library"] == first["estimate"] == 2
     one_core = contents(study.folder)
-    assert {"results/tables/errors.csv", "data/library/sphere/same-008.txt"} <= set(one_core)
+    assert {"results/tables/errors.csv", "data/library/sphere/sphere.same.008.txt"} <= set(one_core)
     assert "Nothing to be done" in study()
 
     estimator = study.folder / "curvlib/estimators/paraboloid.py"
@@ -142,6 +142,7 @@ def test_a_new_file_is_all_it_takes(study):
         ("readings: {default: {area: half}}", "'default' has to make none"),
         ("vary: [pears]", "vary: unknown option 'pears'; did you mean 'pairs'?"),
         ("results: Snakefile", "'Snakefile' is not a folder"),
+        ("library: none.zip", "library: none.zip: missing"),
     ],
 )
 def test_a_mistake_is_one_line_before_any_job(study, config, message):
@@ -165,9 +166,35 @@ def test_readme_shows_what_the_study_says(study):
 
 
 def test_truncated_library_file(study):
-    study("--cores", "2", "data/library/sphere.h5", "data/library/teapot_spout.h5")
-    path = study.folder / "data/library/sphere.h5"
+    study("--cores", "2", "--until", "library")
+    path = study.folder / "data/library/sphere/sphere.same.012.vtkhdf"
     path.write_bytes(path.read_bytes()[:3000])
     output = study("--cores", "1", "results/estimates/paraboloid.h5", ok=False)
-    assert "error: data/library/sphere.h5: cut off or not HDF5" in output
+    assert "error: data/library/sphere/sphere.same.012.vtkhdf: cut off or not HDF5" in output
     assert not list(study.folder.glob("results/**/*.h5*"))
+
+
+def test_archive_takes_the_place_of_the_meshes(study, monkeypatch):
+    for name in ("CITATION.cff", "LICENSE-data", "requirements.lock"):
+        shutil.copy(ROOT / name, study.folder)
+    results = study.folder / "results"
+    first = rules(study("--cores", "1", "dataset"))
+    assert first == {"library": 2, "nurbs": 1, "dataset": 1, "total": 4}
+    (archive,) = (results / "dataset").glob("*.zip")
+    made = archive.read_bytes()
+    with monkeypatch.context() as older_machine:
+        older_machine.setenv("NPY_DISABLE_CPU_FEATURES", "X86_V3 X86_V4 AVX512_ICL AVX512_SPR")
+        study("--cores", "2", "--forceall", "dataset")
+    assert archive.read_bytes() == made, "other bytes on two cores without vector instructions"
+
+    assert "library" not in rules(study("figures")), "its meshes are those of the study"
+    computed = {k: v for k, v in contents(study.folder).items() if k.startswith("results/")}
+    downloaded = shutil.move(archive, study.folder)
+    shutil.rmtree(results)
+    shutil.rmtree(study.folder / "data")
+    study("figures", "--config", f"library={downloaded}")
+    assert contents(study.folder) == computed, "or meshes were made"
+
+    (study.folder / "small.yaml").write_text("surfaces: [sphere, cone]\nresolutions: [8]\n")
+    output = study("figures", "--config", f"library={downloaded}", ok=False)
+    assert f"{downloaded}: unknown surface 'cone'; did you mean" in output

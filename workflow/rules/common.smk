@@ -34,6 +34,11 @@ SURFACES = {Path(name).stem: name for name in study.surfaces}
 ESTIMATORS = {Path(name).stem: name for name in study.estimators}
 
 
+# How the study cuts each surface: all of it, and where all readings are run; and its meshes.
+CUTS = [(diagonal, n) for diagonal, n, _ in study.meshes()]
+FULL = [(diagonal, n) for diagonal, n, full in study.meshes() if full]
+MESHES = [(surface, *cut) for surface in SURFACES for cut in CUTS]
+
 # The paper's figures of errors, by quantity: their surfaces.
 PAPER_FIGURES = {
     "K": {"figure-3": "revolution", "figure-5": "teapot_spout"},

@@ -4,6 +4,9 @@ ERRORS = expand(study.results / "estimates/{estimator}.csv", estimator=ESTIMATOR
 NOISE = expand(study.results / "trials/noise-{estimator}.csv", estimator=ESTIMATORS)
 RINGS = expand(study.results / "trials/rings-{estimator}.csv", estimator=ESTIMATORS)
 
+# The cut that noise is put on: the first, at the resolution nearest to 16.
+NOISY = min(FULL, key=lambda cut: (cut[0] != study.diagonals[0], abs(cut[1] - 16)))
+
 
 rule estimate:
     input:
@@ -16,6 +19,7 @@ rule estimate:
     conda:
         "../envs/curvlib.yaml"
     params:
+        meshes=MESHES,
         estimator=lambda wildcards: ESTIMATORS[wildcards.estimator],
         variants=lambda wildcards: study.variants(ESTIMATORS[wildcards.estimator]),
         surfaces=SURFACES,
@@ -38,7 +42,7 @@ rule trials:
     params:
         estimator=lambda wildcards: ESTIMATORS[wildcards.estimator],
         variants=lambda wildcards: study.variants(ESTIMATORS[wildcards.estimator]),
-        mesh=min(FULL, key=lambda mesh: (mesh[0] != study.diagonals[0], abs(mesh[1] - 16))),
+        meshes=[(surface, *NOISY) for surface in SURFACES],
         code=lambda wildcards: code("trials", estimators.path(ESTIMATORS[wildcards.estimator])),
     script:
         "../scripts/trials.py"

@@ -1,22 +1,20 @@
-# In: a surface's file. Out: its meshes with exact curvature, HDF5, and a text file per mesh.
-from curvlib.library import text_name
+# In: a surface's file. Out: its meshes with exact curvature, each as VTKHDF, PLY and text.
+from curvlib.library import mesh_files
 
-MESHES = [(diagonal, n) for diagonal, n, _ in study.meshes()]
-FULL = [(diagonal, n) for diagonal, n, full in study.meshes() if full]
-LIBRARY = expand(study.library / "{surface}.h5", surface=SURFACES)
+LIBRARY = [study.library / mesh_files(*mesh)[0] for mesh in MESHES]
 
 
 rule library:
     output:
-        hdf5=study.library / "{surface}.h5",
-        texts=[study.library / "{surface}" / text_name(*mesh) for mesh in MESHES],
+        [study.library / file for mesh in CUTS for file in mesh_files("{surface}", *mesh)],
     log:
         study.results / "logs/library/{surface}.log",
     conda:
         "../envs/curvlib.yaml"
     params:
         surface=lambda wildcards: SURFACES[wildcards.surface],
-        meshes=MESHES,
+        meshes=CUTS,
+        folder=study.library,
         code=lambda wildcards: code("library", surfaces.path(SURFACES[wildcards.surface])),
     script:
         "../scripts/library.py"

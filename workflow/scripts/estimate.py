@@ -10,7 +10,7 @@ with logged(snakemake.log[0]):
     run_estimator(
         params.estimator,
         params.variants,
-        load_library(*snakemake.input.library),
+        load_library(*snakemake.input.library).only(params.meshes),
         {name: load(file) for name, file in params.surfaces.items()},
         params.full,
         snakemake.output,

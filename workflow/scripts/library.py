@@ -5,5 +5,5 @@ from curvlib.library import write_library
 from curvlib.surfaces import load
 
 with logged(snakemake.log[0]):
-    surface = load(snakemake.params.surface)
-    write_library(surface, snakemake.params.meshes, snakemake.output.hdf5)
+    params = snakemake.params
+    write_library(load(params.surface), params.meshes, params.folder)

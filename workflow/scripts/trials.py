@@ -7,11 +7,11 @@ from curvlib.trials import noise_rows, ring_rows
 
 with logged(snakemake.log[0]):
     params, name = snakemake.params, {"estimator": snakemake.wildcards.estimator}
-    meshes = load_library(*snakemake.input.library)
+    meshes = load_library(*snakemake.input.library).only(params.meshes)
     noise = (
         {"surface": surface, **name, **row}
-        for surface in meshes.surfaces()
-        for row in noise_rows(meshes[surface, *params.mesh], params.estimator, params.variants)
+        for (surface, *_), mesh in meshes.items()
+        for row in noise_rows(mesh, params.estimator, params.variants)
     )
     write_rows(snakemake.output.noise, noise)
     rings = ({**name, **row} for row in ring_rows(params.estimator, params.variants))

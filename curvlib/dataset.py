@@ -1,0 +1,56 @@
+"""The archive of the library: one zip file, the same bytes wherever it is made."""
+
+import hashlib
+from pathlib import Path
+from zipfile import ZipFile, ZipInfo
+
+from .library import whole_file
+
+SUMS = "SHA256SUMS"
+
+
+def write_archive(path, members: dict) -> None:
+    """Write a zip file and, beside it, SHA256SUMS with its hash.
+
+    `members`: name in the archive -> file on disk (Path) or text (str). All lie in one folder
+    that has the archive's name, with SHA256SUMS of them. Members are sorted, their date is
+    fixed, and they are stored as they are: what deflate makes of the same bytes depends on the
+    zlib of the machine.
+    """
+    path = Path(path)
+    hashes = {}
+    with whole_file(path) as part:
+        with ZipFile(part, "w") as archive:
+            for name in sorted(members):
+                content = members[name]
+                data = content.encode() if isinstance(content, str) else content.read_bytes()
+                hashes[name] = hashlib.sha256(data).hexdigest()
+                _store(archive, f"{path.stem}/{name}", data)
+            _store(archive, f"{path.stem}/{SUMS}", sums_text(hashes).encode())
+        digest = file_hash(part)
+    with whole_file(path.with_name(SUMS)) as part:
+        part.write_text(sums_text({path.name: digest}))
+
+
+def sums_text(hashes: dict) -> str:
+    """File name -> SHA-256, as `sha256sum --check` reads it."""
+    return "".join(f"{digest}  {name}\n" for name, digest in hashes.items())
+
+
+def parse_sums(text: str) -> dict:
+    """File name -> SHA-256 of a SHA256SUMS file; other lines are left out."""
+    rows = (line.split(maxsplit=1) for line in text.splitlines())
+    return {row[1].lstrip("*"): row[0] for row in rows if len(row) == 2}
+
+
+def file_hash(path) -> str:
+    """SHA-256 of a file."""
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def _store(archive, name, data):
+    info = ZipInfo(name, date_time=(1980, 1, 1, 0, 0, 0))
+    info.create_system = 3
+    info.external_attr = 0o644 << 16
+    archive.writestr(info, data)

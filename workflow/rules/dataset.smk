@@ -1,0 +1,49 @@
+# In: the meshes of the study, the surfaces, templates of what describes them.
+# Out: one archive of all that, and its hash. Not part of `all`.
+from curvlib import __version__
+from curvlib.library import nurbs_file
+
+TEMPLATES = [
+    f"{workflow.basedir}/workflow/archive/{name}"
+    for name in ("README.md", "CITATION.cff", "croissant.json", "datapackage.json")
+]
+
+
+rule nurbs:
+    output:
+        [study.library / nurbs_file(surface) for surface in SURFACES],
+    log:
+        study.results / "logs/nurbs.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        surfaces=study.surfaces,
+        folder=study.library,
+        code=code("nurbs", *map(surfaces.path, study.surfaces)),
+    script:
+        "../scripts/nurbs.py"
+
+
+rule dataset:
+    input:
+        files=[study.library / file for mesh in sorted(MESHES) for file in mesh_files(*mesh)],
+        nurbs=rules.nurbs.output,
+        templates=TEMPLATES,
+        licence=f"{workflow.basedir}/LICENSE-data",
+        citation=f"{workflow.basedir}/CITATION.cff",
+        versions=f"{workflow.basedir}/requirements.lock",
+    output:
+        archive=study.results / f"dataset/curvature-library-{__version__}.zip",
+        sums=study.results / "dataset/SHA256SUMS",
+    log:
+        study.results / "logs/dataset.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        meshes=sorted(MESHES),
+        surfaces=SURFACES,
+        folder=study.library,
+        version=__version__,
+        code=code("dataset"),
+    script:
+        "../scripts/dataset.py"

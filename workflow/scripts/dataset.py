@@ -1,0 +1,25 @@
+"""Pack the library, and what describes it, into one archive."""
+
+import re
+from pathlib import Path
+
+from curvlib.catalogue import surfaces
+from curvlib.dataset import write_archive
+from curvlib.description import describe
+from curvlib.job import logged
+from curvlib.library import load_library
+
+with logged(snakemake.log[0]):
+    files, params = snakemake.input, snakemake.params
+    members = {str(Path(f).relative_to(params.folder)): Path(f) for f in files.files + files.nurbs}
+    described = describe(
+        files.templates,
+        members,
+        load_library(params.folder).only(params.meshes),
+        {name: surfaces.module(file).LABEL for name, file in params.surfaces.items()},
+        name=Path(snakemake.output.archive).stem,
+        version=params.version,
+        released=re.search(r"^date-released: (.*)$", Path(files.citation).read_text(), re.M)[1],
+    )
+    texts = {"LICENSE": Path(files.licence), "requirements.lock": Path(files.versions)}
+    write_archive(snakemake.output.archive, members | texts | described)

@@ -1,0 +1,9 @@
+"""Write the NURBS surfaces of the library."""
+
+from curvlib.job import logged
+from curvlib.library import write_nurbs
+from curvlib.surfaces import load
+
+with logged(snakemake.log[0]):
+    for surface in snakemake.params.surfaces:
+        write_nurbs(load(surface), snakemake.params.folder)
