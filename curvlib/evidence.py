@@ -149,6 +149,19 @@ def stands(outcome: str) -> bool:
     return 2 * int(outcome.split()[0]) > int(outcome.split()[-1])
 
 
+def in_words(table: pd.DataFrame) -> str:
+    """The same for the CHANGELOG: a line of a list per claim."""
+    lines = []
+    for claim in table.itertuples():
+        turned = claim.turned_over_by or "no single choice"
+        lines.append(
+            f"* Claim {claim.claim} ({claim.sentence[:-1]}): true on {claim.default} surfaces in the "
+            f"default reading, and in {claim.true} of all {claim.cells} combinations of surface, cut "
+            f"and reading ({claim.undecided} undecided); turned over by {turned}.\n"
+        )
+    return "".join(lines)
+
+
 def _shortened(listed):
     items = listed.split(", ") if listed else ["no single choice"]
     return ", ".join(items[:2]) + (f" and {len(items) - 2} more" if len(items) > 2 else "")

@@ -92,7 +92,7 @@ def specification_curve(claims, readings, claim, surfaces) -> Figure:
     x = np.arange(len(curve))
     figure = Figure(figsize=(7, 3 + 0.14 * len(rows)))
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[2.6, 0.14 * len(rows)])
-    figure.subplots_adjust(left=0.2, right=0.98, top=0.93, bottom=0.05, hspace=0.05)
+    figure.subplots_adjust(left=0.2, right=0.98, top=0.93, bottom=0.09, hspace=0.05)
     above.vlines(x, curve["min"], curve["max"], color="0.85", linewidth=1)
     for verdict, colour in VERDICTS.items():
         of = curve.verdict == verdict
@@ -105,7 +105,7 @@ def specification_curve(claims, readings, claim, surfaces) -> Figure:
     above.set_title(
         "\n".join(wrap(f"{claim.claim}. {claim.sentence}", 100)), loc="left", fontsize=8
     )
-    above.legend(title="on most surfaces", fontsize=7, title_fontsize=7, loc="upper left")
+    figure.legend(title="on most surfaces", fontsize=7, title_fontsize=7, loc="lower left", ncols=1)
     for row, (option, value) in enumerate(rows):
         made = [c.get(option) == value for c in choices]
         below.scatter(x[made], np.full(sum(made), row), s=4, marker="|", color="0.15")
@@ -121,7 +121,7 @@ def claims_map(claims, summary, surfaces) -> Figure:
     cells = claims[(claims.reading == "default") & (claims.diagonal == "same")]
     holds = cells.pivot(index="claim", columns="surface", values="holds")[surfaces]
     figure = Figure(figsize=(7.2, 4.2))
-    axes = figure.add_axes((0.48, 0.02, 0.5, 0.72))
+    axes = figure.add_axes((0.47, 0.02, 0.46, 0.84))
     for i, claim in enumerate(holds.index):
         for j, surface in enumerate(surfaces):
             verdict = holds.loc[claim, surface]

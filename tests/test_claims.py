@@ -238,3 +238,6 @@ def test_summary_counts_and_finds_what_turns_a_claim_over():
     text = evidence.answer(table)
     assert text.count("\n") == 2 + 9
     assert "5 (+1) of 7" in text
+    words = evidence.in_words(table)
+    assert words.count("\n") == 9
+    assert "true on 5 (+1) of 7 surfaces in the default reading, and in 21 of all 35" in words

@@ -155,11 +155,12 @@ def test_a_mistake_is_one_line_before_any_job(study, config, message):
 
 
 def test_readme_shows_what_the_study_says(study):
-    """The whole study, cold: the table and the picture in README are those of a run."""
-    for name in ("README.md", "paper"):
-        source = ROOT / name
-        (shutil.copy if source.is_file() else shutil.copytree)(source, study.folder / name)
-    tracked = [study.folder / name for name in ("README.md", "paper/readme-figure.svg")]
+    """The whole study, cold: README's table and picture and CHANGELOG's words are those of a run."""
+    names = ("README.md", "CHANGELOG.md", "paper/readme-figure.svg")
+    (study.folder / "paper").mkdir()
+    tracked = [study.folder / name for name in names]
+    for name, path in zip(names, tracked):
+        shutil.copy(ROOT / name, path)
     before = [path.read_bytes() for path in tracked]
     study("readme", config="config/config.yaml")
     assert [path.read_bytes() for path in tracked] == before, "run `snakemake readme` and commit"
@@ -195,6 +196,6 @@ def test_archive_takes_the_place_of_the_meshes(study, monkeypatch):
     study("figures", "--config", f"library={downloaded}")
     assert contents(study.folder) == computed, "or meshes were made"
 
-    (study.folder / "small.yaml").write_text("surfaces: [sphere, cone]\nresolutions: [8]\n")
+    (study.folder / "small.yaml").write_text(SMALL.replace("teapot_spout", "cone"))
     output = study("figures", "--config", f"library={downloaded}", ok=False)
     assert f"{downloaded}: unknown surface 'cone'; did you mean" in output

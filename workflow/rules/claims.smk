@@ -11,6 +11,7 @@ rule claims:
         claims=study.results / "tables/claims.csv",
         summary=study.results / "tables/claims-summary.csv",
         answer=study.results / "tables/answer.md",
+        words=study.results / "tables/answer-in-words.md",
     log:
         study.results / "logs/claims.log",
     conda:

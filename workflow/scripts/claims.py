@@ -18,3 +18,4 @@ with logged(snakemake.log[0]):
     summary = evidence.summary(claims, params.named, params.singles, params.diagonals)
     summary.to_csv(output.summary, index=False)
     Path(output.answer).write_text(evidence.answer(summary))
+    Path(output.words).write_text(evidence.in_words(summary))

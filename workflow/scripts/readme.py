@@ -1,4 +1,4 @@
-"""Put the answer and the picture of this run into the README."""
+"""Put the answer and the picture of this run into the README, and its words into the CHANGELOG."""
 
 import re
 import shutil
@@ -6,10 +6,11 @@ from pathlib import Path
 
 from curvlib.job import logged
 
+BEGIN, END = "<!-- answer: written by `snakemake readme` -->", "<!-- end of answer -->"
+
 with logged(snakemake.log[0]):
-    readme = Path(snakemake.params.readme)
-    answer = Path(snakemake.input.answer).read_text()
-    begin, end = "<!-- answer: written by `snakemake readme` -->", "<!-- end of answer -->"
-    pattern = re.compile(f"(?<={begin}\n).*(?={end})", re.DOTALL)
-    readme.write_text(pattern.sub(lambda _: f"\n{answer}\n", readme.read_text()))
+    for document, answer in zip(snakemake.params.documents, snakemake.input.answers):
+        path, text = Path(document), Path(answer).read_text()
+        pattern = re.compile(f"(?<={BEGIN}\n).*(?={END})", re.DOTALL)
+        path.write_text(pattern.sub(lambda _, text=text: f"\n{text}\n", path.read_text()))
     shutil.copy(snakemake.input.figure, snakemake.params.figure)
