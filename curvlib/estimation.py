@@ -15,7 +15,7 @@ Estimates = namedtuple("Estimates", "K H")
 Estimates.__doc__ = """Pointwise estimates K and H, (V,) float64 each; NaN where undefined."""
 
 # Ring slots (valence times vertices) per chunk: some dozens of arrays of 64 KiB stay in cache.
-CHUNK = 8192
+CHUNK = 4096
 
 
 def readings(estimator: str) -> dict[str, tuple]:
@@ -71,7 +71,8 @@ def rings(mesh):
         step = max(1, CHUNK // len(neighbours))
         for start in range(0, len(vertices), step):
             at = vertices[start : start + step]
-            e = coordinates[:, neighbours[:, start : start + step]] - coordinates[:, None, at]
+            e = coordinates.take(neighbours[:, start : start + step], axis=1)
+            e -= coordinates.take(at, axis=1)[:, None]
             yield at, Ring(e, None if normals is None else normals[:, at])
 
 

@@ -18,6 +18,6 @@ def estimate(
     """
     cell = ring.mixed_area if area == "mixed" else ring.A / 3
     beta = ring.beta if dihedral == "signed" else abs(ring.beta)
-    K = (2 * math.pi - ring.alpha.sum(0)) / (ring.A / 2 if area == "half" else cell)
+    K = (2 * math.pi - ring.sum_of_alpha) / (ring.A / 2 if area == "half" else cell)
     H = (ring.lengths * beta).sum(0) / (4 * cell)
     return K, H

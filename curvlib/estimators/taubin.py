@@ -8,7 +8,7 @@ STYLE = {"color": "#CC79A7", "marker": "D", "linestyle": "-"}
 
 def estimate(ring, normal: Normal = "uniform"):
     """K and H of M = sum w_i kn_i T_i T_i^t (3.22), w_i by the area of the triangles at e_i."""
-    return from_tensor(edge_areas(ring), ring.kn(normal), ring.directions(normal))
+    return from_tensor(edge_areas(ring), ring.kn(normal), ring.projected(normal))
 
 
 def edge_areas(ring):
@@ -16,14 +16,16 @@ def edge_areas(ring):
     return preceding(ring.areas) + ring.areas
 
 
-def from_tensor(weights, kn, T):
+def from_tensor(weights, kn, along):
     """K and H by (3.21) with k1 = 3 m11 - m22 and k2 = 3 m22 - m11.
 
-    The weights (n, m) are normalised here. With trace t and determinant d of M, whose
-    eigenvalues are m11 and m22, k1 k2 = 16 d - 3 t^2 and (k1 + k2) / 2 = t.
+    The weights (n, m) and the vectors (2, n, m) along T_i are normalised here. With trace t and
+    determinant d of M, whose eigenvalues are m11 and m22, k1 k2 = 16 d - 3 t^2 and
+    (k1 + k2) / 2 = t.
     """
-    x, y = T
-    w = weights / weights.sum(0) * kn
-    m11, m12, m22 = (w * x * x).sum(0), (w * x * y).sum(0), (w * y * y).sum(0)
+    xx, xy, yy = along[0] * along[0], along[0] * along[1], along[1] * along[1]
+    w = weights * kn / (xx + yy)
+    total = weights.sum(0)
+    m11, m12, m22 = ((w * tt).sum(0) / total for tt in (xx, xy, yy))
     t, d = m11 + m22, m11 * m22 - m12 * m12
     return 16 * d - 3 * t * t, t
