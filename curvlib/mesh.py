@@ -6,8 +6,8 @@ import numpy as np
 
 from .errors import InputError
 
-# Corners per chunk of the walk around vertices: a few arrays of 64 KiB stay in cache.
-CHUNK = 16384
+# Corners per chunk of the walk around vertices: a few arrays of 256 KiB stay in cache.
+CHUNK = 65536
 
 # Exact values that a mesh can carry, with the shape behind V.
 FIELDS = {"uv": (2,), "normals": (3,), "K": (), "H": (), "k1": (), "k2": (), "smooth": ()}
