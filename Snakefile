@@ -11,6 +11,7 @@ include: "workflow/rules/estimates.smk"
 include: "workflow/rules/accuracy.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/readme.smk"
+include: "workflow/rules/throughput.smk"
 
 
 rule all:

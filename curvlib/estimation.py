@@ -32,7 +32,7 @@ def readings(estimator: str) -> dict[str, tuple]:
 
 def check_options(estimator: str, options: dict, where: str = "") -> None:
     """Raise InputError unless the estimator knows every option and its value."""
-    known = readings(estimator)
+    known = readings(estimator) if options else {}
     for option, value in options.items():
         check_name(f"option of {estimator}", option, known, where)
         check_name(f"{option} of {estimator}", value, known[option], where)
@@ -82,7 +82,9 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         store(Ring(e, None if normals is None else normals[:, at]), at, of_ring)
 
     with ThreadPoolExecutor(threads) as pool:
-        list(pool.map(work, _chunks(mesh) if of_ring else ()))
+        # A thread to wait for is what a small mesh would spend most of its time on.
+        apply = pool.map if threads > 1 else map
+        list(apply(work, _chunks(mesh) if of_ring else ()))
     return results if several else results[estimator]
 
 

@@ -63,6 +63,28 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
     return figure
 
 
+def throughput_plot(table) -> Figure:
+    """Vertices per second against vertices, one thread, log-log; a panel per kind of mesh.
+
+    Dashed: what the arctangents or one copy of the mesh alone would allow.
+    """
+    kinds = list(dict.fromkeys(table.mesh))
+    figure = Figure(figsize=(4.2 * len(kinds) + 2.4, 4.4), layout="constrained")
+    panels = figure.subplots(1, len(kinds), sharey=True, squeeze=False)[0]
+    for axes, kind in zip(panels, kinds):
+        shown = table[(table.mesh == kind) & (table.threads == 1) & table.seconds.notna()]
+        for method, curve in shown.groupby("method", sort=False):
+            limit = method in ("arctan2", "copy")
+            style = {"color": "0.5", "linestyle": "--"} if limit else {"marker": "."}
+            axes.loglog(curve.vertices, curve.vertices_per_second, label=method, **style)
+        axes.set_title(f"{kind} torus", loc="left")
+        axes.set_xlabel("vertices")
+        axes.grid(True, which="major", color="0.9", linewidth=0.6)
+    panels[0].set_ylabel("vertices per second, one thread")
+    panels[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
 def _shown(table, surface, quantity):
     """The rows of a surface and quantity in the default reading, on the study's first diagonal."""
     first = table.diagonal == table.diagonal.iloc[0]

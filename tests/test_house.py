@@ -31,6 +31,7 @@ IMPORTS = {
     "estimation": {"catalogue", "errors", "mesh", "ring"},
     "library": {"errors", "mesh", "nurbs", "tessellation"},
     "results": {"estimation", "library"},
+    "throughput": {"catalogue", "estimation"},
     "study": {"catalogue", "errors", "estimation", "tessellation"},
     "provenance": set(),
     "job": {"errors"},
