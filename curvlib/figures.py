@@ -19,6 +19,11 @@ matplotlib.rcParams.update(
 )
 
 UNITS = {"K": "1/length²", "H": "1/length"}
+# What no method can be faster than, by the names in the table of throughput.
+LIMITS = {
+    "arctan2": {"color": "0.5", "linestyle": "--"},
+    "copy": {"color": "0.5", "linestyle": ":"},
+}
 NAMES = {"K": "Gaussian curvature K", "H": "mean curvature H"}
 
 
@@ -66,17 +71,19 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
 def throughput_plot(table) -> Figure:
     """Vertices per second against vertices, one thread, log-log; a panel per kind of mesh.
 
-    Dashed: what the arctangents or one copy of the mesh alone would allow.
+    Grey: what the arctangents or one copy of the mesh alone would allow.
     """
     kinds = list(dict.fromkeys(table.mesh))
+    drawn = [m for m in dict.fromkeys(table.method) if m not in LIMITS]
+    # Colours come round again after ten: the marker then tells them apart.
+    styles = {m: {"marker": "os^"[k // 10 % 3], "markersize": 4} for k, m in enumerate(drawn)}
+    styles |= LIMITS
     figure = Figure(figsize=(4.2 * len(kinds) + 2.4, 4.4), layout="constrained")
     panels = figure.subplots(1, len(kinds), sharey=True, squeeze=False)[0]
     for axes, kind in zip(panels, kinds):
         shown = table[(table.mesh == kind) & (table.threads == 1) & table.seconds.notna()]
         for method, curve in shown.groupby("method", sort=False):
-            limit = method in ("arctan2", "copy")
-            style = {"color": "0.5", "linestyle": "--"} if limit else {"marker": "."}
-            axes.loglog(curve.vertices, curve.vertices_per_second, label=method, **style)
+            axes.loglog(curve.vertices, curve.vertices_per_second, label=method, **styles[method])
         axes.set_title(f"{kind} torus", loc="left")
         axes.set_xlabel("vertices")
         axes.grid(True, which="major", color="0.9", linewidth=0.6)
