@@ -9,6 +9,7 @@ include: "workflow/rules/common.smk"
 include: "workflow/rules/library.smk"
 include: "workflow/rules/estimates.smk"
 include: "workflow/rules/accuracy.smk"
+include: "workflow/rules/claims.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/readme.smk"
 include: "workflow/rules/throughput.smk"
@@ -19,4 +20,5 @@ rule all:
     input:
         LIBRARY,
         rules.accuracy.output,
+        rules.claims.output,
         rules.figures.input,

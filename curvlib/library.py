@@ -24,10 +24,11 @@ CONVENTIONS = (
 )
 
 
-def write_library(surface: Surface, resolutions, diagonals, path) -> None:
+def write_library(surface: Surface, meshes, path) -> None:
     """Tessellate a surface and write its file and, in a folder of its name, its text files.
 
-    `path` ends in <surface>.h5. Nothing is left behind if writing fails.
+    `meshes`: the (diagonal, n) to make. `path` ends in <surface>.h5. Nothing is left behind if
+    writing fails.
     """
     import h5py
 
@@ -38,12 +39,11 @@ def write_library(surface: Surface, resolutions, diagonals, path) -> None:
         file.attrs["surface"] = surface.name
         file.attrs["label"] = surface.label
         file.attrs["conventions"] = CONVENTIONS
-        for diagonal in diagonals:
-            for n in resolutions:
-                mesh = tessellate(surface, n, diagonal)
-                _write_mesh(file.create_group(f"{diagonal}/{n}"), mesh)
-                with whole_file(texts / text_name(diagonal, n)) as text:
-                    _write_text(text, surface, n, diagonal, mesh)
+        for diagonal, n in meshes:
+            mesh = tessellate(surface, n, diagonal)
+            _write_mesh(file.create_group(f"{diagonal}/{n}"), mesh)
+            with whole_file(texts / text_name(diagonal, n)) as text:
+                _write_text(text, surface, n, diagonal, mesh)
 
 
 def text_name(diagonal: str, n: int) -> str:

@@ -1,29 +1,67 @@
-"""Estimates on disk, between the jobs of the workflow: one HDF5 file per estimator."""
+"""What one estimator comes to on the library, on disk: its errors, and its values."""
 
-from .estimation import Estimates
+import csv
+from pathlib import Path
+
+from .estimation import Estimates, estimate
 from .library import open_hdf5, whole_file
+from .norms import counted_vertices, error_rows, largest_curvature
 
 
-def write_estimates(path, results, **attributes) -> None:
-    """Write estimates, an iterable of (mesh key, variant, Estimates), whole or not at all."""
+def run_estimator(
+    estimator: str, variants: dict, meshes, surfaces: dict, full, output, **attributes
+):
+    """Run an estimator on meshes; write `output.values` and `output.errors`, whole or not at all.
+
+    `variants`: options by key, the default's first. `meshes`: (surface, diagonal, n) -> Mesh.
+    `surfaces`: Surface by name. `full`: the (diagonal, n) on which every variant is run; on
+    others it is the default alone. The values (HDF5: /<surface>/<diagonal>/<n>/K and H) are
+    those of the default on the full ones; the errors (CSV) those of every variant and choice of
+    vertices.
+    """
     import h5py
 
-    with whole_file(path) as part, h5py.File(part, "w") as file:
-        file.attrs.update(attributes)
-        for (surface, diagonal, n), variant, result in results:
-            group = file.create_group(f"{surface}/{diagonal}/{n}/{variant}")
-            for quantity, values in result._asdict().items():
-                group.create_dataset(quantity, data=values)
+    stem, default = Path(estimator).stem, next(iter(variants))
+
+    def rows():
+        for (surface, diagonal, n), mesh in meshes.items():
+            is_full = (diagonal, n) in full
+            chosen = variants if is_full else {default: variants[default]}
+            mesh_labels = {"surface": surface, "diagonal": diagonal, "n": n}
+            mesh_labels |= {"triangles": len(mesh.faces), "largest_k": largest_curvature(mesh)}
+            for variant, options in chosen.items():
+                result = estimate(mesh, estimator, **options)
+                if variant == default and is_full:
+                    for quantity, values in result._asdict().items():
+                        file[f"{surface}/{diagonal}/{n}/{quantity}"] = values
+                for choice, counted in counted_vertices(mesh, surfaces[surface]).items():
+                    labels = {"estimator": stem, "variant": variant, "counted": choice}
+                    for row in error_rows(mesh, result, counted):
+                        yield mesh_labels | labels | row
+
+    with whole_file(output.values) as part, h5py.File(part, "w") as file:
+        file.attrs.update(attributes, options=default)
+        write_rows(output.errors, rows())
 
 
-def read_estimates(path) -> dict:
-    """(mesh key, variant) -> Estimates, from a file of `write_estimates`."""
+def write_rows(path, rows) -> None:
+    """Write dicts of the same keys as CSV, whole or not at all; no rows make an empty file."""
+    with whole_file(path) as part, part.open("w", newline="") as file:
+        writer = None
+        for row in rows:
+            if writer is None:
+                writer = csv.DictWriter(file, row, lineterminator="\n")
+                writer.writeheader()
+            writer.writerow(row)
+
+
+def read_values(path) -> dict:
+    """(surface, diagonal, n) -> Estimates in the default reading, of `run_estimator`."""
     results = {}
     with open_hdf5(path) as file:
         for surface, diagonals in file.items():
             for diagonal, resolutions in diagonals.items():
-                for n, variants in resolutions.items():
-                    for variant, group in variants.items():
-                        values = (group[quantity][()] for quantity in Estimates._fields)
-                        results[(surface, diagonal, int(n)), variant] = Estimates(*values)
+                for n, group in resolutions.items():
+                    values = (group[quantity][()] for quantity in Estimates._fields)
+                    results[surface, diagonal, int(n)] = Estimates(*values)
     return results

@@ -1,13 +1,17 @@
 """The study as its config describes it: names resolved and checked before anything runs."""
 
+import itertools
 import os
 from dataclasses import dataclass
 from pathlib import Path
 
 from .catalogue import estimators, surfaces
 from .errors import InputError, check_name
-from .estimation import check_options, readings
-from .tessellation import DIAGONALS, check_resolution
+from .estimation import readings as estimator_options
+from .tessellation import check_cut, check_resolution
+
+# A choice that no estimator makes: which vertices count. Defaults first, as everywhere.
+VERTICES = ("interior", "without-poles")
 
 
 @dataclass(frozen=True)
@@ -21,7 +25,10 @@ class Study:
     estimators: list
     resolutions: list
     diagonals: list
+    default_only: list
     readings: dict
+    vary: list
+    product: list
     library: Path
     results: Path
 
@@ -33,15 +40,65 @@ class Study:
                 raise InputError(f"config: key {key!r} is missing")
             object.__setattr__(self, key, getattr(self, f"_{key}")(config[key]))
 
-    def options(self, estimator: str, reading: str) -> dict:
-        """All options of an estimator in a reading: its defaults and what the reading changes."""
-        defaults = {option: values[0] for option, values in readings(estimator).items()}
-        return defaults | self.readings[reading].get(Path(estimator).stem, {})
+    def meshes(self) -> list[tuple]:
+        """(diagonal, n, whether all readings are run on it) of every mesh of a surface."""
+        every = list(itertools.product(self.diagonals, self.resolutions))
+        more = [
+            mesh
+            for block in self.default_only
+            for mesh in itertools.product(block["diagonals"], block["resolutions"])
+        ]
+        return [(*m, True) for m in every] + [(*m, False) for m in more if m not in every]
+
+    def choices(self) -> dict[str, tuple]:
+        """Every option of any estimator, and `vertices`: its values, defaults first."""
+        found = {}
+        for name in dict.fromkeys((*estimators.names(), *self.estimators)):
+            for option, values in estimator_options(name).items():
+                found[option] = tuple(dict.fromkeys((*found.get(option, ()), *values)))
+        return found | {"vertices": VERTICES}
+
+    def single_changes(self) -> dict[str, dict]:
+        """A reading, by name, for each value that differs from some estimator's default."""
+        result = {}
+        for option in self.vary:
+            for value in self.choices()[option]:
+                choice = {option: value}
+                if self.changes(choice):
+                    result[f"{option}={value}"] = choice
+        return result
+
+    def all_readings(self) -> dict[str, dict]:
+        """The readings of the tables: those of the config, then the single changes."""
+        return self.readings | self.single_changes()
+
+    def products(self) -> dict[str, dict]:
+        """A reading, by name, for each combination of the options in `product`."""
+        values = [self.choices()[option] for option in self.product]
+        combinations = [dict(zip(self.product, v)) for v in itertools.product(*values)]
+        names = (",".join(f"{k}={v}" for k, v in c.items()) for c in combinations)
+        return dict(zip(names, combinations)) if self.product else {}
+
+    def changes(self, reading: dict) -> bool:
+        """Whether a reading differs from the default one."""
+        default = {name: self.options(name, {}) for name in self.estimators}
+        changed = {name: self.options(name, reading) for name in self.estimators}
+        return changed != default or reading.get("vertices", VERTICES[0]) != VERTICES[0]
+
+    def options(self, estimator: str, reading: dict) -> dict:
+        """All options of an estimator in a reading: what it knows of that, else its defaults."""
+        known = estimator_options(estimator)
+        return {
+            option: reading[option] if reading.get(option) in values else values[0]
+            for option, values in known.items()
+        }
 
     def variants(self, estimator: str) -> dict[str, dict]:
-        """The distinct option sets of an estimator over all readings, by key: each is run once."""
-        all_options = (self.options(estimator, reading) for reading in self.readings)
-        return {variant(options): options for options in all_options}
+        """The distinct options of an estimator over all readings, by key, the default's first:
+        each is run once."""
+        every = [{}, *self.all_readings().values(), *self.products().values()]
+        chosen = (self.options(estimator, reading) for reading in every)
+        return {variant(options): options for options in chosen}
 
     def _surfaces(self, value):
         return _names("surfaces", value, surfaces)
@@ -49,26 +106,47 @@ class Study:
     def _estimators(self, value):
         return _names("estimators", value, estimators)
 
-    def _resolutions(self, value):
-        for n in _list("resolutions", value):
-            check_resolution(n, "config: resolutions")
+    def _resolutions(self, value, where="resolutions"):
+        for n in _list(where, value):
+            check_resolution(n, f"config: {where}")
         return sorted(set(value))
 
-    def _diagonals(self, value):
-        for diagonal in _list("diagonals", value):
-            check_name("diagonal", diagonal, DIAGONALS, "config: diagonals")
+    def _diagonals(self, value, where="diagonals"):
+        for diagonal in _list(where, value):
+            check_cut(diagonal, f"config: {where}")
         return list(dict.fromkeys(value))
 
+    def _default_only(self, value):
+        keys = ("diagonals", "resolutions")
+        for block in value:
+            if not isinstance(block, dict) or sorted(block) != sorted(keys):
+                raise InputError(
+                    f"config: default_only: {block!r} needs exactly {' and '.join(keys)}"
+                )
+        return [
+            {key: getattr(self, f"_{key}")(block[key], f"default_only: {key}") for key in keys}
+            for block in value
+        ]
+
     def _readings(self, value):
-        if not isinstance(value, dict) or "default" not in value:
-            raise InputError("config: readings has to map names to options, 'default' among them")
-        files = {Path(e).stem: e for e in (*estimators.names(), *self.estimators)}
-        for reading, changes in value.items():
-            for name, options in (changes or {}).items():
-                where = f"config: reading {reading!r}"
-                check_name("estimator", name, files, where)
-                check_options(files[name], options, where)
-        return {reading: changes or {} for reading, changes in value.items()}
+        if not isinstance(value, dict) or value.get("default", 0) not in ({}, None):
+            raise InputError("config: readings maps names to choices; 'default' has to make none")
+        valid = self.choices()
+        for name, choices in value.items():
+            for option, chosen in (choices or {}).items():
+                check_name("option", option, valid, f"config: reading {name!r}")
+                check_name(option, chosen, valid[option], f"config: reading {name!r}")
+        return {name: choices or {} for name, choices in value.items()}
+
+    def _vary(self, value):
+        for option in value:
+            check_name("option", option, self.choices(), "config: vary")
+        return value
+
+    def _product(self, value):
+        for option in value:
+            check_name("option", option, self.choices(), "config: product")
+        return value
 
     def _library(self, value):
         return _folder("library", value)

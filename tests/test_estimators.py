@@ -178,7 +178,9 @@ def test_reference_agrees_in_every_reading(name):
     some = np.flatnonzero(~m.boundary & m.smooth)[::3]
     options = readings(name)
     for values in itertools.product(*options.values()):
-        chosen = dict(zip(options, values))
+        if "as-printed" in values:
+            continue  # what comes of the misprints is tested with the claims
+        chosen = {k: v for k, v in zip(options, values) if k != "principal"}
         found = curvlib.estimate(m, name, **chosen)
         expected = reference.estimate(
             m.vertices, m.faces, name, normals=m.normals, only=some, **chosen

@@ -30,12 +30,16 @@ IMPORTS = {
     "estimators": {"estimators", "fit", "ring", "vectors"},
     "estimation": {"catalogue", "errors", "mesh", "ring"},
     "library": {"errors", "mesh", "nurbs", "tessellation"},
-    "results": {"estimation", "library"},
+    "norms": {"mesh", "nurbs"},
+    "results": {"estimation", "library", "norms"},
+    "trials": {"catalogue", "estimation", "mesh", "ring"},
     "throughput": {"catalogue", "estimation"},
     "study": {"catalogue", "errors", "estimation", "tessellation"},
     "provenance": set(),
     "job": {"errors"},
-    "accuracy": set(),
+    "accuracy": {"norms"},
+    "claims": set(),
+    "evidence": {"accuracy", "claims"},
     "figures": set(),
 }
 
@@ -90,34 +94,49 @@ def test_digest_follows_imports_but_not_comments(monkeypatch, tmp_path):
     assert digest(copy / "estimators/watanabe_b.py") != before
 
 
-def test_a_folder_that_cannot_be_written_to(monkeypatch, tmp_path):
-    keys = {"surfaces": "all", "estimators": "all", "resolutions": [8], "diagonals": ["same"]}
-    config = {
-        **keys,
-        "readings": {"default": {}},
+@pytest.fixture
+def config(tmp_path):
+    return {
+        "surfaces": ["sphere"],
+        "estimators": ["gauss_bonnet", "watanabe_b", "watanabe"],
+        "resolutions": [12, 8, 8],
+        "diagonals": ["same", "random-1"],
+        "default_only": [{"diagonals": ["same"], "resolutions": [12, 64]}],
+        "readings": {"default": {}, "half": {"area": "half"}},
+        "vary": ["area", "normal", "vertices"],
+        "product": ["area", "dihedral"],
         "library": str(tmp_path),
         "results": str(tmp_path),
     }
-    assert Study(config).results == tmp_path
+
+
+def test_a_folder_that_cannot_be_written_to(config, monkeypatch):
+    assert str(Study(config).results) == config["results"]
     monkeypatch.setattr(os, "access", lambda path, mode: False)
     with pytest.raises(curvlib.InputError, match="cannot be written to"):
         Study(config)
 
 
-def test_study_shares_what_readings_have_in_common(tmp_path):
-    config = {
-        "surfaces": ["sphere"],
-        "estimators": ["gauss_bonnet", "watanabe_b"],
-        "resolutions": [12, 8, 8],
-        "diagonals": ["same"],
-        "readings": {"default": {}, "half": {"gauss_bonnet": {"area": "half"}}},
-        "library": str(tmp_path),
-        "results": str(tmp_path),
-    }
+def test_study_shares_what_readings_have_in_common(config):
     study = Study(config)
-    assert study.resolutions == [8, 12]
-    assert list(study.variants("gauss_bonnet")) == [
-        "area=third,dihedral=signed",
-        "area=half,dihedral=signed",
+    assert study.meshes() == [
+        ("same", 8, True),
+        ("same", 12, True),
+        ("random-1", 8, True),
+        ("random-1", 12, True),
+        ("same", 64, False),
     ]
-    assert list(study.variants("watanabe_b")) == ["normal=uniform"]
+    assert list(study.single_changes()) == [
+        "area=half",
+        "area=mixed",
+        "normal=uniform",
+        "normal=area",
+        "normal=exact",
+        "vertices=without-poles",
+    ]
+    assert len(study.products()) == 9
+    assert next(iter(study.variants("gauss_bonnet"))) == "area=third,dihedral=signed"
+    assert len(study.variants("gauss_bonnet")) == 9
+    assert list(study.variants("watanabe_b")) == ["normal=uniform", "normal=area", "normal=exact"]
+    # The value `area` is an option of one and the name of another's: no mix-up.
+    assert study.options("watanabe", {"area": "half"}) == study.options("watanabe", {})

@@ -1,19 +1,24 @@
 """The library on disk, estimates on disk: values come back bit for bit, or one clear error."""
 
+from types import SimpleNamespace
+
+import h5py
 import numpy as np
+import pandas as pd
 import pytest
 
 import curvlib
 from curvlib.library import whole_file, write_library
 from curvlib.mesh import FIELDS
-from curvlib.results import read_estimates, write_estimates
+from curvlib.results import read_values, run_estimator
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("library")
     for name in ("sphere", "teapot_spout"):
-        write_library(curvlib.surface(name), [8, 12], ["same", "alternate"], folder / f"{name}.h5")
+        meshes = [(diagonal, n) for diagonal in ("same", "random-1") for n in (8, 12)]
+        write_library(curvlib.surface(name), meshes, folder / f"{name}.h5")
     return folder
 
 
@@ -32,7 +37,7 @@ def test_one_file_and_lazily(folder, monkeypatch):
     assert lib.surfaces() == ["sphere"]
     read = []
     monkeypatch.setattr("curvlib.library.Mesh", lambda *a, **k: read.append(a))
-    assert list(lib) == [("sphere", d, n) for d in ("alternate", "same") for n in (8, 12)]
+    assert list(lib) == [("sphere", d, n) for d in ("random-1", "same") for n in (8, 12)]
     assert not read
     lib.mesh("sphere", 12)
     assert len(read) == 1
@@ -52,8 +57,8 @@ def test_unknown_mesh(folder):
         lib.mesh("spere", 8)
     with pytest.raises(curvlib.InputError, match=r"unknown resolution '9'.*valid: 8, 12"):
         lib.mesh("sphere", 9)
-    with pytest.raises(curvlib.InputError, match="'alternat'; did you mean 'alternate'"):
-        lib.mesh("sphere", 8, "alternat")
+    with pytest.raises(curvlib.InputError, match="'sam'; did you mean 'same'"):
+        lib.mesh("sphere", 8, "sam")
 
 
 @pytest.mark.parametrize("length", [0, 100, 5000])
@@ -69,29 +74,48 @@ def test_no_library(tmp_path):
         curvlib.load_library(tmp_path)
     with pytest.raises(curvlib.InputError, match="no library here"):
         curvlib.load_library(tmp_path / "none.h5")
-    write_estimates(tmp_path / "other.h5", [])
+    h5py.File(tmp_path / "other.h5", "w").close()
     with pytest.raises(curvlib.InputError, match="not one of a mesh library"):
         curvlib.load_library(tmp_path / "other.h5")
 
 
-def test_estimates_come_back(tmp_path):
-    mesh = curvlib.tessellate(curvlib.surface("sphere"), 8)
-    made = curvlib.estimate(mesh, "paraboloid")
-    key = (("sphere", "same", 8), "normal=uniform")
-    write_estimates(tmp_path / "e.h5", [(*key, made)], code="abc")
-    found = read_estimates(tmp_path / "e.h5")
-    assert list(found) == [key]
-    for a, b in zip(found[key], made):
-        np.testing.assert_array_equal(a, b)
+@pytest.fixture
+def run(folder, tmp_path):
+    """Runs an estimator on the library, all variants on n = 8 alone."""
+
+    def run(meshes, variants):
+        names = ("sphere", "teapot_spout")
+        output = SimpleNamespace(values=tmp_path / "e.h5", errors=tmp_path / "e.csv")
+        surfaces = {name: curvlib.surface(name) for name in names}
+        run_estimator("watanabe_b", variants, meshes, surfaces, {("same", 8)}, output, code="x")
+        return output
+
+    return run
 
 
-def test_nothing_half_written(tmp_path):
-    def fails():
-        yield ("sphere", "same", 8), "-", curvlib.Estimates(np.zeros(3), np.zeros(3))
-        raise RuntimeError("in the middle")
+VARIANTS = {"normal=uniform": {"normal": "uniform"}, "normal=area": {"normal": "area"}}
 
-    with pytest.raises(RuntimeError, match="in the middle"):
-        write_estimates(tmp_path / "e.h5", fails())
+
+def test_estimates_come_back(folder, run):
+    lib = curvlib.load_library(folder)
+    output = run(lib, VARIANTS)
+    found = read_values(output.values)
+    assert list(found) == [(s, "same", 8) for s in ("sphere", "teapot_spout")]
+    for key, values in found.items():
+        for a, b in zip(values, curvlib.estimate(lib[key], "watanabe_b")):
+            np.testing.assert_array_equal(a, b)
+    errors = pd.read_csv(output.errors)
+    assert set(errors.variant[(errors.diagonal == "same") & (errors.n == 8)]) == set(VARIANTS)
+    assert set(errors.variant[errors.n == 12]) == {"normal=uniform"}
+    assert set(errors.counted[errors.surface == "sphere"]) == {"interior", "without-poles"}
+    assert set(errors.counted[errors.surface == "teapot_spout"]) == {"interior"}
+
+
+def test_nothing_half_written(folder, run, tmp_path):
+    lib = dict(curvlib.load_library(folder))
+    lib["sphere", "same", 8] = None
+    with pytest.raises(AttributeError):
+        run(lib, VARIANTS)
     assert list(tmp_path.iterdir()) == []
     (tmp_path / "kept").write_text("before")
     with pytest.raises(RuntimeError), whole_file(tmp_path / "kept") as part:

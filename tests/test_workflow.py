@@ -14,8 +14,12 @@ SMALL = """
 surfaces: [sphere, teapot_spout]
 estimators: [gauss_bonnet, paraboloid]
 resolutions: [8, 12]
+diagonals: [same]
+default_only: []
+vary: []
+product: []
 """
-AGGREGATES = {"accuracy", "error_plots_K", "error_plots_H", "all"}
+AGGREGATES = {"accuracy", "claims", "claim_plots", "error_plots_K", "error_plots_H", "all"}
 
 
 @pytest.fixture
@@ -82,7 +86,8 @@ def test_reruns_what_changed_and_nothing_else(study):
 
     replace(estimator, "4 * a * c", "5 * a * c")
     changed = rules(study("--cores", "2"))
-    assert changed == {"estimate": 1, **dict.fromkeys(AGGREGATES, 1), "total": 5}
+    own = {"estimate": 1, "trials": 1}
+    assert changed == {**own, **dict.fromkeys(AGGREGATES, 1), "total": 2 + len(AGGREGATES)}
     assert (
         contents(study.folder)["results/tables/errors.csv"] != one_core["results/tables/errors.csv"]
     )
@@ -99,7 +104,7 @@ def test_reruns_what_changed_and_nothing_else(study):
 
 def test_a_new_file_is_all_it_takes(study):
     """An estimator and a surface join by lying in their folders, where the config says `all`."""
-    (study.folder / "all.yaml").write_text("resolutions: [8]")
+    (study.folder / "all.yaml").write_text("resolutions: [8]\ndefault_only: []\nproduct: []")
     before = rules(study("--dry-run", config="all.yaml"))
     files = study.folder / "curvlib"
     shutil.copy(files / "estimators/watanabe_b.py", files / "estimators/mine.py")
@@ -127,11 +132,15 @@ def test_a_new_file_is_all_it_takes(study):
         ("resolutions: [8.5]", "resolutions: resolution 8.5 is not an integer of at least 3"),
         ("diagonals: [shortst]", "unknown diagonal 'shortst'; did you mean 'shortest'?"),
         ("reading: {}", "unknown key 'reading'; did you mean 'readings'?"),
-        ("readings: {default: {}, a: {taubn: {}}}", "did you mean 'taubin'?"),
+        ("diagonals: [same-1]", "a seed is a number, after random or jittered alone"),
+        ("default_only: [{diagonals: [same]}]", "needs exactly diagonals and resolutions"),
+        ("readings: {a: {are: half}}", "unknown option 'are'; did you mean 'area'?"),
         (
-            "readings: {default: {}, a: {gauss_bonnet: {area: halv}}}",
-            "reading 'a': unknown area of gauss_bonnet 'halv'; did you mean 'half'?",
+            "readings: {a: {area: halv}}",
+            "reading 'a': unknown area 'halv'; did you mean 'half'?",
         ),
+        ("readings: {default: {area: half}}", "'default' has to make none"),
+        ("vary: [pears]", "vary: unknown option 'pears'; did you mean 'pairs'?"),
         ("results: Snakefile", "'Snakefile' is not a folder"),
     ],
 )

@@ -14,7 +14,8 @@ def estimate(
     ring,
     angles: Literal["one-sided", "centred"] = "one-sided",
     normal: Normal = "uniform",
+    principal: taubin.Principal = "corrected",
 ):
     """(3.22) with w_i ~ angle(v_i, v, v_{i+1}), or ~ the angles on both sides of e_i."""
     w = ring.alpha if angles == "one-sided" else preceding(ring.alpha) + ring.alpha
-    return taubin.from_tensor(w, ring.kn(normal), ring.projected(normal))
+    return taubin.from_tensor(w, ring.kn(normal), ring.projected(normal), principal)

@@ -1,27 +1,22 @@
-# In: the meshes and all estimates. Out: the tables of errors, slopes and ranks, and the answer.
+# In: the errors of every estimator's variants. Out: the tables of errors, slopes and ranks of every
+# reading, and what a reading is.
 
 
 rule accuracy:
     input:
-        library=LIBRARY,
-        estimates=ESTIMATES,
+        ERRORS,
     output:
+        readings=study.results / "tables/readings.csv",
         errors=study.results / "tables/errors.csv",
         convergence=study.results / "tables/convergence.csv",
         ranks=study.results / "tables/ranks.csv",
-        answer=study.results / "tables/answer.md",
     log:
         study.results / "logs/accuracy.log",
     conda:
         "../envs/curvlib.yaml"
     params:
-        variants={
-            name: {
-                reading: variant(study.options(ESTIMATORS[name], reading))
-                for reading in study.readings
-            }
-            for name in ESTIMATORS
-        },
+        readings=reading_rows(study.all_readings()),
+        full=FULL,
         code=code("accuracy"),
     script:
         "../scripts/accuracy.py"

@@ -9,7 +9,7 @@ sys.path.insert(0, workflow.basedir)
 from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError
 from curvlib.provenance import digest
-from curvlib.study import Study, variant
+from curvlib.study import VERTICES, Study, variant
 
 # One thread per job: jobs run side by side, and sums come out the same on any machine.
 os.environ |= {
@@ -39,6 +39,20 @@ PAPER_FIGURES = {
     "K": {"figure-3": "revolution", "figure-5": "teapot_spout"},
     "H": {"figure-4": "revolution", "figure-6": "teapot_spout"},
 }
+
+
+def reading_rows(readings):
+    """Rows reading, estimator, variant, counted: what each reading means."""
+    return [
+        {
+            "reading": name,
+            "estimator": stem,
+            "variant": variant(study.options(file, reading)),
+            "counted": reading.get("vertices", VERTICES[0]),
+        }
+        for name, reading in readings.items()
+        for stem, file in ESTIMATORS.items()
+    ]
 
 
 def error_figures(quantity):

@@ -1,6 +1,19 @@
 # In: the tables. Out: mean absolute error against triangles for all surfaces, with the paper's
 # Figures 3 to 6 among them, SVG and PNG.
 FIGURES = study.results / "figures"
+CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in "KH")]
+CLAIM_FIGURES += [f"claim-{number}-readings" for number in range(1, 10)]
+
+# What claim 8 is about, with the paper's normals and with exact ones.
+RING_CURVES = [
+    (name, variant(study.options(ESTIMATORS[name], reading)), label)
+    for name, reading, label in (
+        ("gauss_bonnet", {}, "Gauss-Bonnet"),
+        ("paraboloid", {}, "Paraboloid, estimated normals"),
+        ("paraboloid", {"normal": "exact"}, "Paraboloid, exact normals"),
+    )
+    if name in ESTIMATORS
+]
 
 
 rule figures:
@@ -11,6 +24,7 @@ rule figures:
             for figure in error_figures(quantity)
             for kind in ("svg", "png")
         ],
+        expand(FIGURES / "{figure}.{kind}", figure=CLAIM_FIGURES, kind=["svg", "png"]),
 
 
 for quantity in "KH":
@@ -40,3 +54,25 @@ for quantity in "KH":
             code=code("error_plots", *map(estimators.path, study.estimators)),
         script:
             "../scripts/error_plots.py"
+
+
+rule claim_plots:
+    input:
+        claims=rules.claims.output.claims,
+        summary=rules.claims.output.summary,
+        ranks=rules.accuracy.output.ranks,
+        rings=RINGS,
+    output:
+        expand(FIGURES / "{figure}.{kind}", figure=CLAIM_FIGURES, kind=["svg", "png"]),
+    log:
+        study.results / "logs/claim_plots.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        readings=study.products() or study.all_readings(),
+        rings=RING_CURVES,
+        folder=FIGURES,
+        estimators=ESTIMATORS,
+        code=code("claim_plots", *map(estimators.path, study.estimators)),
+    script:
+        "../scripts/claim_plots.py"

@@ -4,7 +4,7 @@
 
 rule readme:
     input:
-        answer=rules.accuracy.output.answer,
+        answer=rules.claims.output.answer,
         figure=FIGURES / "figure-6.svg",
     log:
         study.results / "logs/readme.log",

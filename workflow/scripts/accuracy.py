@@ -1,16 +1,17 @@
-"""Compare the estimates with the exact values: errors, convergence, ranks, the answer."""
+"""Errors, convergence and ranks of every reading, from the errors of every variant."""
 
-from pathlib import Path
+import pandas as pd
 
 from curvlib import accuracy
 from curvlib.job import logged
-from curvlib.library import load_library
-from curvlib.results import read_estimates
 
 with logged(snakemake.log[0]):
-    meshes = load_library(*snakemake.input.library)
-    estimates = zip(snakemake.params.variants, map(read_estimates, snakemake.input.estimates))
-    tables = accuracy.tables(meshes, dict(estimates), snakemake.params.variants)
-    for name, table in tables.items():
-        table.to_csv(snakemake.output[name], index=False)
-    Path(snakemake.output.answer).write_text(accuracy.answer(**tables))
+    params, output = snakemake.params, snakemake.output
+    readings = pd.DataFrame(params.readings)
+    rows = accuracy.by_variant(map(pd.read_csv, snakemake.input), set(map(tuple, params.full)))
+    errors, curves = accuracy.errors(rows, readings), accuracy.convergence(rows)
+    readings.to_csv(output.readings, index=False)
+    errors.to_csv(output.errors, index=False)
+    accuracy.by_reading(curves, readings).to_csv(output.convergence, index=False)
+    levels = accuracy.rounding_levels(rows)
+    accuracy.ranks(errors, levels).to_csv(output.ranks, index=False)

@@ -1,19 +1,18 @@
 """Run one estimator, in all its variants, on every mesh of the library."""
 
-from curvlib.estimation import estimate
 from curvlib.job import logged
 from curvlib.library import load_library
-from curvlib.results import write_estimates
+from curvlib.results import run_estimator
+from curvlib.surfaces import load
 
 with logged(snakemake.log[0]):
     params = snakemake.params
-    meshes = load_library(*snakemake.input.library)
-    write_estimates(
-        snakemake.output[0],
-        (
-            (key, variant, estimate(mesh, params.estimator, **options))
-            for key, mesh in meshes.items()
-            for variant, options in params.variants.items()
-        ),
+    run_estimator(
+        params.estimator,
+        params.variants,
+        load_library(*snakemake.input.library),
+        {name: load(file) for name, file in params.surfaces.items()},
+        params.full,
+        snakemake.output,
         code=params.code,
     )

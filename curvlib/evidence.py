@@ -1,0 +1,163 @@
+"""The claims' evidence: a Cell for every surface, cut and reading, decided and summed up."""
+
+import numpy as np
+import pandas as pd
+
+from .accuracy import rounding_levels, slope_fit, verdict
+from .claims import CLAIMS, NINE, SEVEN, Cell, ranks
+
+NOISE_SIGMA = 0.01
+
+
+class Evidence:
+    """The tables as look-ups, from which any reading's cells are put together.
+
+    `rows`, `curves`: of `accuracy.by_variant` and `accuracy.convergence`; `noise`, `rings`: of
+    `trials`. Estimates are shared: a reading only names its variants.
+    """
+
+    def __init__(self, rows, curves, noise, rings):
+        self.levels = rounding_levels(rows)
+        full = rows[rows.full]
+        self.resolutions = np.sort(full.n.unique())
+        self.places = list(full[["surface", "diagonal"]].drop_duplicates().itertuples(index=False))
+        key = ["surface", "diagonal", "counted", "quantity", "norm", "estimator", "variant"]
+        by_n = full.set_index([*key, "n"]).value.unstack("n")
+        self.errors = dict(zip(by_n.index, by_n.fillna(np.inf).to_numpy()))
+        key = ["surface", "diagonal", "counted", "quantity", "estimator", "variant"]
+        fits = curves.set_index(key)[["tail", "tail_stderr", "verdict"]]
+        self.curves = dict(zip(fits.index, fits.itertuples(index=False, name=None)))
+        noise = noise[noise.sigma == NOISE_SIGMA]
+        noise = noise.set_index(["surface", "quantity", "estimator", "variant"]).value
+        self.noise = dict(noise)
+        self.rings = _ring_curves(rings)
+
+    def decide(self, reading: pd.DataFrame):
+        """Yield rows of claims.csv for one reading, its rows of readings.csv."""
+        counted, name = reading.counted.iloc[0], reading.reading.iloc[0]
+        variants = dict(zip(reading.estimator, reading.variant))
+        errors = {place: self._errors(*place, counted, variants) for place in self.places}
+        for (surface, diagonal), found in errors.items():
+            peers = [errors[s, diagonal] for s in SEVEN if s != surface and (s, diagonal) in errors]
+            consensus = {
+                q: np.mean([ranks(peer[q, "mean"][-1]) for peer in peers], axis=0) for q in "KH"
+            }
+            noise = {q: self._noise(surface, q, variants) for q in "KH"}
+            cell = Cell(
+                diagonal,
+                self.resolutions,
+                mean={q: found[q, "mean"] for q in "KH"},
+                finest={key: values[-1] for key, values in found.items()},
+                noise=noise,
+                curve=self._curves((surface, diagonal, counted), variants, self.curves),
+                consensus=consensus,
+            )
+            for claim in CLAIMS:
+                yield _row(claim, surface, diagonal, name, claim.decide(cell))
+        if counted == "interior":
+            for place in sorted({key[:2] for key in self.rings}):
+                curve = self._curves(place, variants, self.rings)
+                cell = Cell(place[1], self.resolutions, {}, {}, {}, curve, {})
+                for claim in CLAIMS:
+                    if claim.number == 8:
+                        yield _row(claim, *place, name, claim.decide(cell))
+
+    def _errors(self, surface, diagonal, counted, variants):
+        """(quantity, norm) -> errors (resolutions, 9), raised to the rounding level."""
+        missing = np.full(len(self.resolutions), np.inf)
+        return {
+            (q, norm): np.maximum(
+                [
+                    self.errors.get(
+                        (surface, diagonal, counted, q, norm, e, variants.get(e)), missing
+                    )
+                    for e in NINE
+                ],
+                self.levels[surface, q],
+            ).T
+            for q in "KH"
+            for norm in ("mean", "q95", "max")
+        }
+
+    def _noise(self, surface, quantity, variants):
+        keys = [(surface, quantity, e, variants.get(e)) for e in NINE]
+        return np.array([self.noise.get(key, np.inf) for key in keys])
+
+    def _curves(self, place, variants, curves):
+        keys = {(q, e): (*place, q, e, variants.get(e)) for q in "KH" for e in NINE}
+        return {short: curves[key] for short, key in keys.items() if key in curves}
+
+
+def _row(claim, surface, diagonal, reading, decided):
+    holds = {True: "true", False: "false", None: "undecided"}[decided.holds]
+    first = {"claim": claim.number, "surface": surface, "diagonal": diagonal, "reading": reading}
+    return first | {"holds": holds, "effect": decided.effect, "evidence": decided.evidence}
+
+
+def _ring_curves(rings):
+    """("quadric", "valence-<n>-<ring>", quantity, estimator, variant) -> slope over 1/h, its
+    standard error and verdict, from the smaller half of the sizes."""
+    result = {}
+    for key, points in rings.groupby(["valence", "ring", "quantity", "estimator", "variant"]):
+        points = points.sort_values("h", ascending=False).iloc[len(points) // 2 :]
+        fit = slope_fit(-np.log(points.h.to_numpy()), np.log(points.value.to_numpy()))
+        result["quadric", f"valence-{key[0]}-{key[1]}", *key[2:]] = (*fit, verdict(fit[0]))
+    return result
+
+
+def summary(decided: pd.DataFrame, named, singles, diagonals) -> pd.DataFrame:
+    """claims-summary.csv: each claim in words, how it fares on the SEVEN in the `named` readings
+    on the first diagonal, and which of the `singles` readings or diagonals turns it over."""
+    seven = decided[decided.surface.isin(SEVEN)]
+    rows = []
+    for claim in CLAIMS:
+        here = seven[seven.claim == claim.number]
+        at_first = here[here.diagonal == diagonals[0]]
+        readings = {r: outcome(x) for r, x in at_first.groupby("reading")}
+        cuts = {d: outcome(x) for d, x in here[here.reading == "default"].groupby("diagonal")}
+        default = readings["default"]
+        turned = [r for r in singles if stands(readings[r]) != stands(default)]
+        turned += [f"diagonal={d}" for d in diagonals if stands(cuts[d]) != stands(default)]
+        open_on = at_first[(at_first.reading == "default") & (at_first.holds == "undecided")]
+        rows.append(
+            {
+                "claim": claim.number,
+                "section": claim.section,
+                "sentence": claim.sentence,
+                "measure": claim.measure,
+                "holds_if": claim.holds,
+                **{reading: readings[reading] for reading in named},
+                "cells": len(here),
+                "true": int((here.holds == "true").sum()),
+                "undecided": int((here.holds == "undecided").sum()),
+                "turned_over_by": ", ".join(turned),
+                "undecided_on": ", ".join(sorted(open_on.surface)),
+            }
+        )
+    return pd.DataFrame(rows)
+
+
+def outcome(cells) -> str:
+    """`5 of 7`: on how many surfaces it is true; `5 (+1) of 7` where one more is undecided."""
+    count = cells.holds.value_counts()
+    more = f" (+{count['undecided']})" if "undecided" in count else ""
+    return f"{count.get('true', 0)}{more} of {len(cells)}"
+
+
+def stands(outcome: str) -> bool:
+    """Whether a claim is true on more than half of the surfaces."""
+    return 2 * int(outcome.split()[0]) > int(outcome.split()[-1])
+
+
+def _shortened(listed):
+    items = listed.split(", ") if listed else ["no single choice"]
+    return ", ".join(items[:2]) + (f" and {len(items) - 2} more" if len(items) > 2 else "")
+
+
+def answer(table: pd.DataFrame) -> str:
+    """The README's answer, in Markdown, from claims-summary.csv."""
+    columns = {"claim": "", "sentence": "the paper says", "default": "true on"}
+    columns |= {"likely-run": "as likely run", "turned_over_by": "turned over by"}
+    shown = table[[c for c in columns if c in table]].rename(columns=columns)
+    shown["turned over by"] = shown["turned over by"].map(_shortened)
+    return shown.to_markdown(index=False, disable_numparse=True) + "\n"

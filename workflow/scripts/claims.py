@@ -1,0 +1,20 @@
+"""Decide every claim for every surface, diagonal and reading, and sum up."""
+
+from pathlib import Path
+
+import pandas as pd
+
+from curvlib import accuracy, evidence
+from curvlib.job import logged
+
+with logged(snakemake.log[0]):
+    inputs, params, output = snakemake.input, snakemake.params, snakemake.output
+    rows = accuracy.by_variant(map(pd.read_csv, inputs.errors), set(map(tuple, params.full)))
+    noise, rings = (pd.concat(map(pd.read_csv, files)) for files in (inputs.noise, inputs.rings))
+    found = evidence.Evidence(rows, accuracy.convergence(rows), noise, rings)
+    readings = pd.DataFrame(params.readings).groupby("reading", sort=False)
+    claims = pd.DataFrame(row for _, reading in readings for row in found.decide(reading))
+    claims.to_csv(output.claims, index=False)
+    summary = evidence.summary(claims, params.named, params.singles, params.diagonals)
+    summary.to_csv(output.summary, index=False)
+    Path(output.answer).write_text(evidence.answer(summary))
