@@ -21,6 +21,7 @@ include: "workflow/rules/accuracy.smk"
 include: "workflow/rules/claims.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/readme.smk"
+include: "workflow/rules/throughput.smk"
 
 
 rule all:

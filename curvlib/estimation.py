@@ -2,6 +2,7 @@
 
 import inspect
 from collections import namedtuple
+from concurrent.futures import ThreadPoolExecutor
 from typing import get_args
 
 import numpy as np
@@ -14,8 +15,9 @@ from .ring import Ring
 Estimates = namedtuple("Estimates", "K H")
 Estimates.__doc__ = """Pointwise estimates K and H, (V,) float64 each; NaN where undefined."""
 
-# Ring slots (valence times vertices) per chunk: some dozens of arrays of 64 KiB stay in cache.
-CHUNK = 8192
+# Ring slots (valence times vertices) per chunk: some dozens of arrays of 512 KiB stay in cache,
+# and Python's own time and its lock between threads do not count.
+CHUNK = 65536
 
 
 def readings(estimator: str) -> dict[str, tuple]:
@@ -30,18 +32,19 @@ def readings(estimator: str) -> dict[str, tuple]:
 
 def check_options(estimator: str, options: dict, where: str = "") -> None:
     """Raise InputError unless the estimator knows every option and its value."""
-    known = readings(estimator)
+    known = readings(estimator) if options else {}
     for option, value in options.items():
         check_name(f"option of {estimator}", option, known, where)
         check_name(f"{option} of {estimator}", value, known[option], where)
 
 
-def estimate(mesh, estimator: str, **options) -> Estimates:
+def estimate(mesh, estimator, threads: int = 1, **options):
     """K and H at the vertices of a triangle mesh, pointwise; H = +1 on the unit sphere.
 
     `mesh`: a Mesh, a pair (vertices (V, 3), faces (F, 3)) or whatever pyvista wraps into a
-    triangle mesh. `estimator`: a name from `estimators()` or the path of a file like those.
-    `options`: the estimator's readings.
+    triangle mesh. `estimator`: a name from `estimators()` or the path of a file like those; for
+    a list of them a dict of Estimates by name, and what they share is computed once. `options`:
+    the readings, known to each of the estimators. `threads`: how many, which changes no value.
 
     NaN at boundary vertices, where the triangles around a vertex do not close to one ring
     (non-manifold or inconsistently oriented), and wherever an estimator comes to no finite
@@ -50,33 +53,44 @@ def estimate(mesh, estimator: str, **options) -> Estimates:
     Raises InputError for an unknown estimator or option and for what is no triangle mesh.
     """
     mesh = as_mesh(mesh)
-    check_options(estimator, options)
-    function = estimators.module(estimator).estimate
-    result = Estimates(*np.full((2, len(mesh.vertices)), np.nan))
-    whole_mesh = next(iter(inspect.signature(function).parameters)) == "mesh"
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        if whole_mesh:
-            _store(result, slice(None), function(mesh, **options))
-        else:
-            for at, ring in rings(mesh):
-                _store(result, at, function(ring, **options))
-    return result
+    several = isinstance(estimator, (list, tuple))
+    results, of_mesh, of_ring = {}, [], []
+    for name in estimator if several else [estimator]:
+        check_options(name, options)
+        results[name] = Estimates(*np.full((2, len(mesh.vertices)), np.nan))
+        function = estimators.module(name).estimate
+        whole_mesh = next(iter(inspect.signature(function).parameters)) == "mesh"
+        (of_mesh if whole_mesh else of_ring).append((function, results[name]))
 
+    def store(given, at, functions):
+        # Set here, since threads do not take it over from their caller.
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            for function, result in functions:
+                for target, value in zip(result, function(given, **options)):
+                    if value is not None:
+                        # The one place where undefined becomes NaN.
+                        target[at] = np.where(np.isfinite(value), value, np.nan)
 
-def rings(mesh):
-    """Yield (vertex indices (m,), Ring) over all closed one-rings, in chunks of one valence."""
+    store(mesh, slice(None), of_mesh)
     coordinates = np.ascontiguousarray(mesh.vertices.T)
     normals = None if mesh.normals is None else np.ascontiguousarray(mesh.normals.T)
+
+    def work(chunk):
+        at, neighbours = chunk
+        e = coordinates.take(neighbours, axis=1)
+        e -= coordinates.take(at, axis=1)[:, None]
+        store(Ring(e, None if normals is None else normals[:, at]), at, of_ring)
+
+    with ThreadPoolExecutor(threads) as pool:
+        # A thread to wait for is what a small mesh would spend most of its time on.
+        apply = pool.map if threads > 1 else map
+        list(apply(work, _chunks(mesh) if of_ring else ()))
+    return results if several else results[estimator]
+
+
+def _chunks(mesh):
+    """Yield (vertices (m,), neighbours (n, m)) over all closed one-rings."""
     for vertices, neighbours in mesh.rings:
         step = max(1, CHUNK // len(neighbours))
         for start in range(0, len(vertices), step):
-            at = vertices[start : start + step]
-            e = coordinates[:, neighbours[:, start : start + step]] - coordinates[:, None, at]
-            yield at, Ring(e, None if normals is None else normals[:, at])
-
-
-def _store(result, at, values):
-    """The one place where undefined becomes NaN."""
-    for target, value in zip(result, values):
-        if value is not None:
-            target[at] = np.where(np.isfinite(value), value, np.nan)
+            yield vertices[start : start + step], neighbours[:, start : start + step]

@@ -155,9 +155,9 @@ def in_words(table: pd.DataFrame) -> str:
     for claim in table.itertuples():
         turned = claim.turned_over_by or "no single choice"
         lines.append(
-            f"* Claim {claim.claim} ({claim.sentence[:-1]}): true on {claim.default} surfaces in the "
-            f"default reading, and in {claim.true} of all {claim.cells} combinations of surface, cut "
-            f"and reading ({claim.undecided} undecided); turned over by {turned}.\n"
+            f"* Claim {claim.claim} ({claim.sentence[:-1]}): true on {claim.default} surfaces in "
+            f"the default reading, and in {claim.true} of all {claim.cells} combinations of "
+            f"surface, cut and reading ({claim.undecided} undecided); turned over by {turned}.\n"
         )
     return "".join(lines)
 

@@ -24,6 +24,11 @@ matplotlib.rcParams.update(
 VERDICTS = {"true": "#0072B2", "undecided": "#BBBBBB", "false": "#D55E00"}
 
 UNITS = {"K": "1/length²", "H": "1/length"}
+# What no method can be faster than, by the names in the table of throughput.
+LIMITS = {
+    "arctan2": {"color": "0.5", "linestyle": "--"},
+    "copy": {"color": "0.5", "linestyle": ":"},
+}
 SYMBOLS = {"K": "K", "H": "|H|"}
 NAMES = {"K": "Gaussian curvature K", "H": "mean curvature H"}
 
@@ -65,6 +70,30 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
     axes.set_title(f"{modules[surface].LABEL}, {NAMES[quantity]}", loc="left")
     axes.grid(True, which="major", color="0.9", linewidth=0.6)
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def throughput_plot(table) -> Figure:
+    """Vertices per second against vertices, one thread, log-log; a panel per kind of mesh.
+
+    Grey: what the arctangents or one copy of the mesh alone would allow.
+    """
+    kinds = list(dict.fromkeys(table.mesh))
+    drawn = [m for m in dict.fromkeys(table.method) if m not in LIMITS]
+    # Colours come round again after ten: the marker then tells them apart.
+    styles = {m: {"marker": "os^"[k // 10 % 3], "markersize": 4} for k, m in enumerate(drawn)}
+    styles |= LIMITS
+    figure = Figure(figsize=(4.2 * len(kinds) + 2.4, 4.4), layout="constrained")
+    panels = figure.subplots(1, len(kinds), sharey=True, squeeze=False)[0]
+    for axes, kind in zip(panels, kinds):
+        shown = table[(table.mesh == kind) & (table.threads == 1) & table.seconds.notna()]
+        for method, curve in shown.groupby("method", sort=False):
+            axes.loglog(curve.vertices, curve.vertices_per_second, label=method, **styles[method])
+        axes.set_title(f"{kind} torus", loc="left")
+        axes.set_xlabel("vertices")
+        axes.grid(True, which="major", color="0.9", linewidth=0.6)
+    panels[0].set_ylabel("vertices per second, one thread")
+    panels[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     return figure
 
 

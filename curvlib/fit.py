@@ -20,12 +20,15 @@ def least_squares(columns, z):
     """
     rest = np.array(np.broadcast_arrays(*columns, z))
     R = np.zeros((3, 4, z.shape[-1]))
+    product = np.empty_like(rest[0])
     for i in range(3):
-        R[i, i] = np.sqrt((rest[i] * rest[i]).sum(0))
-        q = rest[i] / np.where(R[i, i] > 0, R[i, i], 1)
+        q = rest[i]
+        np.multiply(q, q, out=product).sum(0, out=R[i, i])
+        np.sqrt(R[i, i], out=R[i, i])
+        q /= np.where(R[i, i] > 0, R[i, i], 1)
         for j in range(i + 1, 4):
-            R[i, j] = (q * rest[j]).sum(0)
-            rest[j] -= R[i, j] * q
+            np.multiply(q, rest[j], out=product).sum(0, out=R[i, j])
+            rest[j] -= np.multiply(R[i, j], q, out=product)
     R, y = R[:, :3], R[:, 3]
 
     # |det R| / |R|^3 bounds the smallest singular value over the largest from below: only

@@ -6,6 +6,9 @@ import numpy as np
 
 from .errors import InputError
 
+# Corners per chunk of the walk around vertices: a few arrays of 256 KiB stay in cache.
+CHUNK = 65536
+
 # Exact values that a mesh can carry, with the shape behind V.
 FIELDS = {
     "uv": (2,),
@@ -40,14 +43,14 @@ class Mesh:
         _check_rows("vertices", self.vertices, 3)
         _check_rows("faces", self.faces, 3)
         count = len(self.vertices)
-        bad = ~np.isfinite(self.vertices).all(1)
+        bad = ~np.isfinite(self.vertices)
         if bad.any():
             raise InputError(
-                f"vertices: vertex {np.argmax(bad)} has a coordinate that is not finite"
+                f"vertices: vertex {np.argmax(bad) // 3} has a coordinate that is not finite"
             )
-        bad = ((self.faces < 0) | (self.faces >= count)).any(1)
+        bad = (self.faces < 0) | (self.faces >= count)
         if bad.any():
-            row = int(np.argmax(bad))
+            row = int(np.argmax(bad)) // 3
             raise InputError(
                 f"faces: face {row} is {self.faces[row].tolist()}, "
                 f"but vertex indices run from 0 to {count - 1}"
@@ -71,28 +74,14 @@ class Mesh:
         return None if self.H is None else self.H * self.H
 
     @cached_property
-    def _twins(self):
-        """For half-edge 3 f + k, from corner k of face f to the next: the opposite half-edge,
-        -1 on a boundary edge, -2 where an edge has more than two faces or two of one direction."""
-        start, end = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
-        key = np.minimum(start, end) * len(self.vertices) + np.maximum(start, end)
-        order = np.argsort(key, kind="stable")
-        first = np.flatnonzero(np.diff(key[order], prepend=-1))
-        count = np.diff(first, append=len(order))
-        twins = np.full(len(order), -2)
-        twins[order[first[count == 1]]] = -1
-        a, b = order[first[count == 2]], order[first[count == 2] + 1]
-        a, b = (h[start[a] == end[b]] for h in (a, b))
-        twins[a], twins[b] = b, a
-        return twins
-
-    @cached_property
     def boundary(self):
         """(V,) bool: the vertex lies on an edge of one face only."""
+        start, end = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
+        edge = np.minimum(start, end) * len(self.vertices) + np.maximum(start, end)
+        _, at, faces = np.unique(edge, return_index=True, return_counts=True)
         on_boundary = np.zeros(len(self.vertices), dtype=bool)
-        edges = np.flatnonzero(self._twins == -1)
-        on_boundary[self.faces.ravel()[edges]] = True
-        on_boundary[np.roll(self.faces, -1, axis=1).ravel()[edges]] = True
+        for ends in (start, end):
+            on_boundary[ends[at[faces == 1]]] = True
         return on_boundary
 
     @cached_property
@@ -102,30 +91,57 @@ class Mesh:
         Neighbours run counter-clockwise. Vertices whose triangles do not close to exactly one
         cycle are in no batch.
         """
-        start, end = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
-        # The half-edge from v to the neighbour after this one: across the edge that ends at v.
-        before = np.arange(len(start)).reshape(-1, 3)[:, [2, 0, 1]].ravel()
-        turn = self._twins[before]
-        valence = np.bincount(start, minlength=len(self.vertices))
-        broken = np.zeros(len(self.vertices), dtype=bool)
-        broken[start[turn < 0]] = True
-        outgoing = np.zeros(len(self.vertices), dtype=np.intp)
-        outgoing[start[::-1]] = np.arange(len(start))[::-1]
+        first, corners = self._corners()
+        valence = np.diff(first)
         batches = []
-        for n in np.unique(valence[~broken & (valence >= 3)]):
-            vertices = np.flatnonzero((valence == n) & ~broken)
+        for n in np.flatnonzero(np.bincount(valence)):
+            vertices = np.flatnonzero(valence == n)
             neighbours = np.empty((n, len(vertices)), dtype=np.intp)
-            first = edge = outgoing[vertices]
-            one_cycle = np.ones(len(vertices), dtype=bool)
-            for k in range(n):
-                neighbours[k] = end[edge]
-                edge = turn[edge]
-                one_cycle &= (edge == first) == (k == n - 1)
-            if not one_cycle.all():
-                vertices, neighbours = vertices[one_cycle], neighbours[:, one_cycle]
+            closed = np.full(len(vertices), n >= 3)
+            step = max(1, CHUNK // max(n, 1))
+            for start in range(0, len(vertices) if n >= 3 else 0, step):
+                part = slice(start, start + step)
+                at_v = corners.take(first[vertices[part]] + np.arange(n)[:, None])
+                neighbours[:, part], closed[part] = _walk(at_v)
+            if not closed.all():
+                vertices, neighbours = vertices[closed], neighbours[:, closed]
             if len(vertices):
                 batches.append((vertices, neighbours))
         return batches
+
+    def _corners(self):
+        """Where each vertex's corners begin (V + 1,), and the corners (3 F,), vertex by vertex:
+        the two int32 vertices that follow the corner's own in its face, packed into an int64."""
+        # Imported here, since it takes longer than importing all of curvlib.
+        from scipy.sparse import csr_array
+
+        count = len(self.faces)
+        i, j, k = self.faces.T.astype(np.int32)
+        others = np.stack((j, k, k, i, i, j), axis=-1).view(np.int64)
+        # Its conversion to columns is a counting sort.
+        rows = (others.ravel(), self.faces.ravel(), np.arange(0, 3 * count + 1, 3))
+        columns = csr_array(rows, shape=(count, len(self.vertices))).tocsc()
+        return columns.indptr, columns.data
+
+
+def _walk(corners):
+    """Neighbours (n, m) in the order of a walk around each vertex, and (m,) bool whether it came
+    by all n corners (n, m) and back.
+
+    Each of its steps compares all n corners, which up to some hundreds is less work than to sort
+    them.
+    """
+    here, there = np.moveaxis(corners.view(np.int32).reshape(*corners.shape, 2), -1, 0).copy()
+    neighbours = np.empty(corners.shape, dtype=np.intp)
+    visits = np.zeros_like(there)
+    there += 1  # so that a step without a corner leads to -1, where no step starts
+    at = here[0]
+    for neighbour in neighbours:
+        neighbour[:] = at
+        found = here == at
+        visits += found
+        at = (found * there).sum(0, dtype=np.int32) - 1
+    return neighbours, (visits == 1).all(0) & (at == here[0])
 
 
 def as_mesh(obj) -> Mesh:

@@ -5,6 +5,8 @@ runs over contiguous memory. The ring of v is v_0 ... v_{n-1}, counter-clockwise
 side the normal points to; indices are taken mod n.
 """
 
+import functools
+import math
 from functools import cached_property
 from typing import Literal
 
@@ -18,12 +20,25 @@ Normal = Literal["uniform", "area", "exact"]
 
 def following(x):
     """The quantity of i + 1 at i, for (..., n, m)."""
-    return np.roll(x, -1, axis=-2)
+    return np.concatenate((x[..., 1:, :], x[..., :1, :]), axis=-2)
 
 
 def preceding(x):
     """The quantity of i - 1 at i, for (..., n, m)."""
-    return np.roll(x, 1, axis=-2)
+    return np.concatenate((x[..., -1:, :], x[..., :-1, :]), axis=-2)
+
+
+def _once_per_normal(quantity):
+    """The cached_property of a quantity that depends on the choice of N_v."""
+
+    @functools.wraps(quantity)
+    def known(self, normal):
+        key = (quantity, normal)
+        if key not in self._known:
+            self._known[key] = quantity(self, normal)
+        return self._known[key]
+
+    return known
 
 
 class Ring:
@@ -36,23 +51,36 @@ class Ring:
     def __init__(self, e, exact_normals=None):
         self.e = e
         self.exact_normals = exact_normals
-        self._canonical = {}
+        self._known = {}
+
+    @cached_property
+    def _next(self):
+        return following(self.e)
+
+    @cached_property
+    def _squares(self):
+        return dot(self.e, self.e)
 
     @cached_property
     def lengths(self):
         """|e_i|, (n, m)."""
-        return norm(self.e)
+        return np.sqrt(self._squares)
 
     @cached_property
     def _facet(self):
         """e_i x e_{i+1}, (3, n, m): along the normal of T_i, twice its area long."""
-        return cross(self.e, following(self.e))
+        return cross(self.e, self._next)
 
     @cached_property
     def _twice_areas(self):
         return norm(self._facet)
 
-    @property
+    @cached_property
+    def _scalar(self):
+        """e_i . e_{i+1}, (n, m)."""
+        return dot(self.e, self._next)
+
+    @cached_property
     def areas(self):
         """Area of the triangle T_i = (v_i, v, v_{i+1}) (3.1), (n, m)."""
         return self._twice_areas / 2
@@ -60,7 +88,7 @@ class Ring:
     @cached_property
     def A(self):
         """Area of all triangles around v, (m,): A of (3.11)."""
-        return self.areas.sum(0)
+        return self._twice_areas.sum(0) / 2
 
     @cached_property
     def facet_normals(self):
@@ -70,28 +98,45 @@ class Ring:
     @cached_property
     def alpha(self):
         """alpha_i = angle(v_i, v, v_{i+1}) in [0, pi], (n, m)."""
-        return np.arctan2(self._twice_areas, dot(self.e, following(self.e)))
+        return np.arctan2(self._twice_areas, self._scalar)
+
+    @cached_property
+    def sum_of_alpha(self):
+        """Sum of all alpha_i, (m,).
+
+        An arctangent costs as much as dozens of products: the complex numbers of angle alpha_i
+        are multiplied, and half a turn is counted where the product crosses the real axis.
+        """
+        scale = self.lengths * following(self.lengths)
+        cos, sin = self._scalar / scale, self._twice_areas / scale
+        x, y, half_turns = cos[0], sin[0], 0
+        for c, s in zip(cos[1:], sin[1:]):
+            before = y < 0
+            x, y = x * c - y * s, x * s + y * c
+            half_turns += (y < 0) != before
+        return half_turns * math.pi + np.arctan2(np.abs(y), np.where(y < 0, -x, x))
 
     @cached_property
     def beta(self):
-        """Signed dihedral angle at e_i, between N_{i-1} and N_i, (n, m): convex positive."""
-        before, after = preceding(self.facet_normals), self.facet_normals
-        across = dot(cross(after, before), self.e)
-        return np.arctan2(across / self.lengths, dot(before, after))
+        """Signed dihedral angle at e_i, between N_{i-1} and N_i, (n, m): convex positive.
+
+        (e_{i-1} x e_i) x (e_i x e_{i+1}) is e_i times the determinant of the three.
+        """
+        before = preceding(self._facet)
+        return np.arctan2(-self.lengths * dot(before, self._next), dot(before, self._facet))
 
     @cached_property
     def mixed_area(self):
         """Mixed Voronoi cell of v (Meyer, Desbrun, Schroeder, Barr 2003, section 3.3), (m,)."""
-        at_v = dot(self.e, following(self.e))
-        at_i = self.lengths**2 - at_v
-        at_next = following(self.lengths) ** 2 - at_v
+        squares, next_squares = self._squares, following(self._squares)
+        at_v, at_i, at_next = self._scalar, squares - self._scalar, next_squares - self._scalar
         # |e_i|^2 cot(angle at v_{i+1}) + |e_{i+1}|^2 cot(angle at v_i), over 8.
-        voronoi = self.lengths**2 * at_next + following(self.lengths) ** 2 * at_i
-        voronoi = voronoi / (8 * self._twice_areas)
+        voronoi = (squares * at_next + next_squares * at_i) / (8 * self._twice_areas)
         obtuse = np.where(at_v < 0, self.areas / 2, self.areas / 4)
         acute = (at_v >= 0) & (at_i >= 0) & (at_next >= 0)
         return np.where(acute, voronoi, obtuse).sum(0)
 
+    @_once_per_normal
     def normal(self, kind: Normal):
         """N_v, (3, m) unit: mean of the facet normals (3.3), plain or by area, or the exact one.
 
@@ -104,28 +149,30 @@ class Ring:
         total = (self.facet_normals if kind == "uniform" else self._facet).sum(1)
         return total / norm(total)
 
+    @_once_per_normal
+    def depth(self, normal: Normal):
+        """Distance of v_i below the tangent plane, (n, m): z of the canonical form."""
+        return dot(self.e, -self.normal(normal))
+
+    @_once_per_normal
+    def projected(self, normal: Normal):
+        """(x, y) of the canonical form, (2, n, m): along T_i of (3.23), not of length one."""
+        frame = np.array(_tangents(self.normal(normal)))
+        return np.einsum("acm,cnm->anm", frame, self.e)
+
     def canonical(self, normal: Normal):
         """(x, y, z), each (n, m): the neighbours with v at the origin and -N_v along the z axis.
 
         The paper's canonical form, turned over: z is the depth below the tangent plane, so that
         a surface which bends away from its normal has positive curvature.
         """
-        if normal not in self._canonical:
-            N = self.normal(normal)
-            X, Y = _tangents(N)
-            frame = (X[:, None], Y[:, None], -N[:, None])
-            self._canonical[normal] = tuple(dot(self.e, axis) for axis in frame)
-        return self._canonical[normal]
+        return *self.projected(normal), self.depth(normal)
 
+    @_once_per_normal
     def kn(self, normal: Normal):
         """Normal curvature towards each v_i (3.16), (n, m); positive where the surface bends
         away from its normal."""
-        return 2 * self.canonical(normal)[2] / self.lengths**2
-
-    def directions(self, normal: Normal):
-        """T_i of (3.23) as (cos, sin) in the tangent plane, (2, n, m)."""
-        x, y, _ = self.canonical(normal)
-        return np.stack((x, y)) / np.sqrt(x * x + y * y)
+        return 2 * self.depth(normal) / self._squares
 
 
 def _tangents(N):

@@ -10,6 +10,8 @@ import reference
 import curvlib
 from curvlib.catalogue import estimators as catalogue
 from curvlib.estimation import readings
+from curvlib.ring import Ring
+from curvlib.throughput import torus
 
 ESTIMATORS = curvlib.estimators()
 PAPER = [
@@ -287,3 +289,66 @@ class TestInput:
     def test_empty_mesh(self):
         r = curvlib.estimate((np.zeros((0, 3)), np.zeros((0, 3), int)), "paraboloid")
         assert r.K.shape == (0,)
+
+
+def test_several_at_once_on_any_number_of_threads_are_the_same(monkeypatch):
+    """Bit by bit, whether alone or together, in one chunk or several."""
+    m = curvlib.tessellate(curvlib.surface("ellipsoid"), 16, "random", seed=7)
+    alone = {name: curvlib.estimate(m, name) for name in PAPER}
+    monkeypatch.setattr("curvlib.estimation.CHUNK", 200)
+    for threads in (1, 2, 5):
+        together = curvlib.estimate(m, PAPER, threads=threads)
+        assert list(together) == PAPER
+        for name in PAPER:
+            np.testing.assert_allclose(together[name], alone[name], rtol=1e-13, atol=1e-13)
+        if threads == 1:
+            first = together
+        np.testing.assert_array_equal(list(together.values()), list(first.values()))
+
+
+def test_options_of_several_have_to_be_known_to_each(sphere):
+    both = curvlib.estimate(sphere, ["taubin", "paraboloid"], normal="area")
+    np.testing.assert_array_equal(both["taubin"], curvlib.estimate(sphere, "taubin", normal="area"))
+    with pytest.raises(curvlib.InputError, match="unknown option of gauss_bonnet 'normal'"):
+        curvlib.estimate(sphere, ["taubin", "gauss_bonnet"], normal="area")
+
+
+@pytest.mark.parametrize("n", [3, 4, 6, 9, 50])
+def test_sum_of_angles_counts_turns(n):
+    """Flat, pointed and folded rings: the angles multiplied as complex numbers add up."""
+    rng = np.random.default_rng(n)
+    around = np.cumsum(rng.uniform(0.1, 1, (n, 300)), axis=0)
+    around *= 2 * np.pi / around[-1]
+    height = rng.uniform(-1, 1, (n, 300)) * np.linspace(0, 3, 300)
+    ring = Ring(np.array([np.cos(around), np.sin(around), height]))
+    np.testing.assert_allclose(ring.sum_of_alpha, ring.alpha.sum(0), rtol=1e-13)
+    np.testing.assert_allclose(ring.sum_of_alpha[0], 2 * np.pi, rtol=1e-13)
+
+
+def test_rings_of_broken_meshes_are_those_of_a_plain_walk():
+    """Turned, doubled, missing, degenerate and stray faces, vertex by vertex."""
+    rng = np.random.default_rng(8)
+    closed = curvlib.tessellate(curvlib.surface("sphere"), 4, "random", seed=3)
+    count = len(closed.vertices)
+    for _ in range(60):
+        faces = np.delete(closed.faces, rng.integers(len(closed.faces), size=2), axis=0)
+        faces[rng.integers(len(faces))] = faces[rng.integers(len(faces)), ::-1]
+        faces[rng.integers(len(faces)), rng.integers(3)] = rng.integers(count)
+        faces = np.vstack((faces, faces[:1], rng.integers(0, count, (rng.integers(3), 3))))
+        found = {
+            int(v): neighbours[:, k].tolist()
+            for vertices, neighbours in curvlib.Mesh(closed.vertices, faces).rings
+            for k, v in enumerate(vertices)
+        }
+        expected = {v: reference.ring_of(faces[(faces == v).any(1)], v) for v in range(count)}
+        assert found == {v: ring for v, ring in expected.items() if ring is not None}
+
+
+@pytest.mark.parametrize("name", PAPER)
+def test_reference_agrees_on_irregular_rings(name):
+    """Jittered Delaunay triangles of a torus: to 1e-12 of the largest value."""
+    vertices, faces = torus(12, "irregular")
+    for a, b in zip(
+        curvlib.estimate((vertices, faces), name), reference.estimate(vertices, faces, name)
+    ):
+        np.testing.assert_allclose(a, b, rtol=0, atol=1e-12 * np.abs(b).max())

@@ -39,6 +39,7 @@ IMPORTS = {
     "results": {"estimation", "library", "norms"},
     "trials": {"catalogue", "estimation", "mesh", "ring"},
     "study": {"catalogue", "errors", "estimation", "library", "tessellation"},
+    "throughput": {"catalogue", "estimation"},
     "provenance": set(),
     "job": {"errors"},
     "accuracy": {"norms"},

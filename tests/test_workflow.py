@@ -155,7 +155,7 @@ def test_a_mistake_is_one_line_before_any_job(study, config, message):
 
 
 def test_readme_shows_what_the_study_says(study):
-    """The whole study, cold: README's table and picture and CHANGELOG's words are those of a run."""
+    """The whole study, cold: README's table and picture and CHANGELOG's words are its own."""
     names = ("README.md", "CHANGELOG.md", "paper/readme-figure.svg")
     (study.folder / "paper").mkdir()
     tracked = [study.folder / name for name in names]

@@ -1,12 +1,13 @@
 """Circular fitting, section 3.2: circles through a vertex and two of its neighbours."""
 
+import math
 from typing import Literal
 
 import numpy as np
 
 from curvlib.fit import least_squares
 from curvlib.ring import Normal
-from curvlib.vectors import cross, dot, norm
+from curvlib.vectors import dot
 
 LABEL = "Circular fitting"
 STYLE = {"color": "#E69F00", "marker": "v", "linestyle": "-"}
@@ -22,38 +23,54 @@ def estimate(ring, normal: Normal = "uniform", pairs: Pairs = "opposite"):
     least squares to circles through v and the chosen pairs of neighbours."""
     n = ring.e.shape[1]
     i, j = np.triu_indices(n, 1)
+    unit = ring.e / ring.lengths
+    cosine = dot(unit[:, i], unit[:, j])
+    use = _chosen(i, j, cosine, n, pairs)
+    some = use.any(1)
+    i, j, cosine, use = i[some], j[some], cosine[some], use[some].astype(float)
+
+    # Inverted at v, the circle is the line through e_i / |e_i|^2 and e_j / |e_j|^2: its tangent.
+    square = ring.lengths * ring.lengths
     x, y, z = ring.canonical(normal)
-    a, b = ring.e[:, i], ring.e[:, j]
-    ab, aa, bb = dot(a, b), ring.lengths[i] ** 2, ring.lengths[j] ** 2
-    # Inverted at v, the circle is the line through a / |a|^2 and b / |b|^2: its tangent at v.
-    tx, ty = x[i] / aa - x[j] / bb, y[i] / aa - y[j] / bb
-    tt = tx * tx + ty * ty
+    x, y, w = x / square, y / square, z / square
+    tx, ty = x[i] - x[j], y[i] - y[j]
+    txx, tyy = tx * tx, ty * ty
     # kappa (n . N), Meusnier (2.1), where kappa n is the circle's curvature vector at v.
-    kn = 2 * (z[i] * (1 - ab / aa) + z[j] * (1 - ab / bb)) / (aa + bb - 2 * ab)
-    use = _chosen(i, j, np.arctan2(norm(cross(a, b)), ab), n, pairs)
-    columns = (use, use * (tx * tx - ty * ty) / tt, use * 2 * tx * ty / tt)
+    scalar = cosine * ring.lengths[i] * ring.lengths[j]
+    kn = z[i] + z[j] - scalar * (w[i] + w[j])
+    kn *= 2 / (square[i] + square[j] - 2 * scalar)
+    scale = use / (txx + tyy)
+    columns = (use, scale * (txx - tyy), scale * (2 * tx * ty))
     A, B, C = least_squares(columns, use * kn)
     return A * A - B * B - C * C, A
 
 
-def _chosen(i, j, angle, n, pairs):
-    """1.0 for each pair (i, j) that is used, else 0.0, (pairs, m)."""
+def _chosen(i, j, cosine, n, pairs):
+    """Whether each pair (i, j) is used, (pairs, m) bool.
+
+    By the cosine of the angle between them, which spares an arctangent for each pair.
+    """
     if pairs == "all":
-        use = np.ones_like(angle, dtype=bool)
+        use = np.ones_like(cosine, dtype=bool)
     elif pairs == "opposite":
-        best = np.zeros((n, angle.shape[1]))
-        for k in range(n):
-            best[k] = angle[(i == k) | (j == k)].max(0)
-        use = angle >= np.minimum(best[i], best[j]) - TIE
+        best = np.array([cosine[(i == k) | (j == k)].min(0) for k in range(n)])
+        best = _ties(best)
+        use = cosine <= np.maximum(best[i], best[j])
     elif pairs == "ring-opposite":
         gap = np.minimum(j - i, n - (j - i))
-        use = np.broadcast_to((gap == n // 2)[:, None], angle.shape)
+        use = np.broadcast_to((gap == n // 2)[:, None], cosine.shape)
     else:
-        use = angle > np.deg2rad(int(pairs.removeprefix("above-"))) + TIE
+        limit = math.radians(int(pairs.removeprefix("above-"))) + TIE
+        use = cosine < math.cos(limit)
     for _ in range(CIRCLES):
         few = use.sum(0) < CIRCLES
         if not few.any():
             break
-        rest = np.where(use, -np.inf, angle)
-        use = use | (few & (rest >= rest.max(0) - TIE))
-    return use.astype(float)
+        rest = np.where(use, np.inf, cosine)
+        use = use | (few & (rest <= _ties(rest.min(0))))
+    return use
+
+
+def _ties(cosine):
+    """The cosine of an angle less by TIE."""
+    return cosine + TIE * np.sqrt(np.maximum(1 - cosine * cosine, 0))

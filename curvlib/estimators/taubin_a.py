@@ -18,4 +18,4 @@ def estimate(
 ):
     """(3.22) with w_i ~ angle(v_i, v, v_{i+1}), or ~ the angles on both sides of e_i."""
     w = ring.alpha if angles == "one-sided" else preceding(ring.alpha) + ring.alpha
-    return taubin.from_tensor(w, ring.kn(normal), ring.directions(normal), principal)
+    return taubin.from_tensor(w, ring.kn(normal), ring.projected(normal), principal)

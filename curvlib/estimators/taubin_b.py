@@ -19,4 +19,4 @@ def estimate(
     """(3.22) with (kn_i + kn_{i+1}) / 2 for kn_i, weighted as in Taubin or as in Taubin A."""
     kn = ring.kn(normal)
     w = taubin.edge_areas(ring) if weights == "area" else ring.alpha
-    return taubin.from_tensor(w, (kn + following(kn)) / 2, ring.directions(normal), principal)
+    return taubin.from_tensor(w, (kn + following(kn)) / 2, ring.projected(normal), principal)

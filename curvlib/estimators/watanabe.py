@@ -22,15 +22,19 @@ def estimate(
     the weight of kn_i is (phi_{i-1} + phi_i) / 2.
     """
     kn = ring.kn(normal)
-    phi = ring.alpha if angles == "spatial" else _between(ring.directions(normal))
+    phi = ring.alpha if angles == "spatial" else _between(ring.projected(normal))
     w = (preceding(phi) + phi) / 2
-    H = (kn * w).sum(0) / (2 * math.pi)
-    K = 3 * H * H - (kn * kn * w).sum(0) / math.pi
+    w *= kn
+    H = w.sum(0) / (2 * math.pi)
+    K = 3 * H * H - (w * kn).sum(0) / math.pi
     return K, H
 
 
-def _between(T):
-    """Angle from T_i to T_{i+1} about the normal, in (-pi, pi]: they sum to 2 pi around v."""
-    (x, y), (x1, y1) = T, following(T)
+def _between(along):
+    """Angle from T_i to T_{i+1} about the normal, in (-pi, pi]: they sum to 2 pi around v.
+
+    `along`: vectors along T_i, (2, n, m).
+    """
+    (x, y), (x1, y1) = along, following(along)
     # In the canonical frame, seen along -N, the ring runs counter-clockwise about N.
     return np.arctan2(x * y1 - y * x1, x * x1 + y * y1)
