@@ -9,22 +9,12 @@ import reference
 
 import curvlib
 from curvlib.catalogue import estimators as catalogue
+from curvlib.claims import NINE as PAPER
 from curvlib.estimation import readings
 from curvlib.ring import Ring
 from curvlib.throughput import torus
 
 ESTIMATORS = curvlib.estimators()
-PAPER = [
-    "circular",
-    "gauss_bonnet",
-    "paraboloid",
-    "taubin",
-    "taubin_a",
-    "taubin_b",
-    "watanabe",
-    "watanabe_a",
-    "watanabe_b",
-]
 
 
 def test_the_nine_of_the_paper_are_there():
