@@ -68,6 +68,13 @@ class Mesh:
     def __repr__(self):
         return f"<Mesh of {len(self.vertices)} vertices, {len(self.faces)} faces>"
 
+    def moved(self, vertices) -> "Mesh":
+        """The mesh with its vertices elsewhere: faces, rings and normals stay, exact values do
+        not hold any more."""
+        mesh = Mesh(vertices, self.faces, normals=self.normals)
+        mesh.__dict__["rings"] = self.rings
+        return mesh
+
     @property
     def H2(self):
         """H^2, (V,), which the paper's library holds; None without H."""

@@ -29,7 +29,8 @@ def noise_rows(mesh: Mesh, estimator: str, variants: dict, seed: int = 0):
         rng = np.random.default_rng(seed)
         draws = NOISE_DRAWS if sigma else 1
         shifts = sigma * length * rng.standard_normal((draws, len(mesh.vertices), 1))
-        noisy = [_moved(mesh, shift) for shift in shifts]
+        # Where the normal is undefined the vertex stays.
+        noisy = [mesh.moved(mesh.vertices + np.nan_to_num(s * mesh.normals)) for s in shifts]
         for variant, options in variants.items():
             results = [estimate(m, estimator, **options) for m in noisy]
             for quantity in ("K", "H"):
@@ -49,14 +50,6 @@ def noise_rows(mesh: Mesh, estimator: str, variants: dict, seed: int = 0):
                     "value": float(means.mean()),
                     "spread": float(means.std()),
                 }
-
-
-def _moved(mesh, shift):
-    # Where the normal is undefined the vertex stays.
-    vertices = mesh.vertices + np.nan_to_num(shift * mesh.normals)
-    moved = Mesh(vertices, mesh.faces, normals=mesh.normals)
-    moved.__dict__["rings"] = mesh.rings
-    return moved
 
 
 def ring_rows(estimator: str, variants: dict, seed: int = 0):

@@ -9,7 +9,7 @@ import curvlib
 from curvlib import accuracy, evidence
 from curvlib.claims import CLAIMS, NINE, Cell, kendall, ranks
 from curvlib.norms import error_rows
-from curvlib.trials import ring_rows
+from curvlib.trials import noise_rows, ring_rows
 
 PAPER_N = np.array([8, 12, 16, 24, 32, 50])
 
@@ -201,6 +201,25 @@ def test_rings_shrink_as_theory_says():
         assert slope["exact", f"{n}-regular"] == pytest.approx(-2, abs=0.1)
         assert slope["exact", f"{n}-irregular"] == pytest.approx(-1, abs=0.2)
         assert slope["estimated", f"{n}-irregular"] == pytest.approx(0, abs=0.2)
+
+
+def test_noise_is_the_same_for_all_and_harms():
+    """Without noise the plain mean error; with it errors that grow and spread, and K of the
+    angle deficit suffers as sigma / h^2 does."""
+    mesh = curvlib.tessellate(curvlib.surface("sphere"), 16)
+    rows = pd.DataFrame(noise_rows(mesh, "gauss_bonnet", {"-": {}}))
+    K = rows[rows.quantity == "K"].set_index("sigma")
+    assert K.value[0.0] == pytest.approx(errors_of("sphere", 16, "gauss_bonnet")["K"])
+    assert K.value.is_monotonic_increasing
+    assert K.spread[0.0] == 0
+    assert (K.spread.iloc[1:] > 0).all()
+    again = pd.DataFrame(noise_rows(mesh, "gauss_bonnet", {"-": {}}))
+    pd.testing.assert_frame_equal(rows, again)
+    fine = curvlib.tessellate(curvlib.surface("sphere"), 32)
+    worse = pd.DataFrame(noise_rows(fine, "gauss_bonnet", {"-": {}}))
+    # sigma is a fraction of the edge h, so sigma / h^2 doubles with n.
+    ratio = worse[worse.quantity == "K"].set_index("sigma").value[0.05] / K.value[0.05]
+    assert ratio > 1.5
 
 
 def test_summary_counts_and_finds_what_turns_a_claim_over():

@@ -97,7 +97,7 @@ def test_reruns_what_changed_and_nothing_else(study):
     assert contents(study.folder) == one_core, "other bytes on two cores"
 
     ring = study.folder / "curvlib/ring.py"
-    replace(ring, "return 2 * self.canonical(normal)[2]", "return 3 * self.canonical(normal)[2]")
+    replace(ring, "return 2 * self.depth(normal)", "return 3 * self.depth(normal)")
     assert rules(study("--dry-run"))["estimate"] == 2
     assert "library" not in rules(study("--dry-run"))
 
