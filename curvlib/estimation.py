@@ -8,7 +8,7 @@ from typing import get_args
 import numpy as np
 
 from .catalogue import estimators
-from .errors import check_name
+from .errors import InputError, check_name
 from .mesh import as_mesh
 from .ring import Ring
 
@@ -53,6 +53,8 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     Raises InputError for an unknown estimator or option and for what is no triangle mesh.
     """
     mesh = as_mesh(mesh)
+    if threads < 1:
+        raise InputError(f"threads: {threads!r} is not a number of at least 1")
     several = isinstance(estimator, (list, tuple))
     results, of_mesh, of_ring = {}, [], []
     for name in estimator if several else [estimator]:

@@ -276,6 +276,10 @@ class TestInput:
         with pytest.raises(curvlib.InputError, match="'halv'; did you mean 'half'"):
             curvlib.estimate(sphere, "gauss_bonnet", area="halv")
 
+    def test_no_threads(self, sphere):
+        with pytest.raises(curvlib.InputError, match="threads: 0 is not a number of at least 1"):
+            curvlib.estimate(sphere, "gauss_bonnet", threads=0)
+
     def test_empty_mesh(self):
         r = curvlib.estimate((np.zeros((0, 3)), np.zeros((0, 3), int)), "paraboloid")
         assert r.K.shape == (0,)

@@ -46,6 +46,7 @@ IMPORTS = {
     "claims": set(),
     "evidence": {"accuracy", "claims"},
     "figures": set(),
+    "claim_figures": {"figures"},
 }
 
 

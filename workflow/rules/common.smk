@@ -61,9 +61,15 @@ def reading_rows(readings):
 
 
 def error_figures(quantity):
-    """Figure name -> surface, of all error plots of a quantity."""
-    paper = {figure: s for figure, s in PAPER_FIGURES[quantity].items() if s in SURFACES}
-    return {f"error-{quantity}-{s}": s for s in SURFACES} | paper
+    """Figure name -> (surface, resolutions), of all error plots of a quantity: the paper's with
+    its own resolutions, the others with all."""
+    every = sorted({n for _, n in CUTS})
+    paper = {
+        figure: (surface, study.resolutions)
+        for figure, surface in PAPER_FIGURES[quantity].items()
+        if surface in SURFACES
+    }
+    return {f"error-{quantity}-{s}": (s, every) for s in SURFACES} | paper
 
 
 wildcard_constraints:

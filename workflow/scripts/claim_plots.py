@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from curvlib import figures
+from curvlib import claim_figures, figures
 from curvlib.catalogue import estimators
 from curvlib.claims import SEVEN
 from curvlib.job import logged
@@ -13,13 +13,13 @@ with logged(snakemake.log[0]):
     rings = pd.concat(map(pd.read_csv, inputs.rings))
     modules = {name: estimators.module(file) for name, file in params.estimators.items()}
     surfaces = [name for name in SEVEN if name in set(claims.surface)]
-    drawn = {"claims": figures.claims_map(claims, summary, surfaces)}
+    drawn = {"claims": claim_figures.claims_map(claims, summary, surfaces)}
     for claim in summary.itertuples():
-        curve = figures.specification_curve(claims, params.readings, claim, surfaces)
+        curve = claim_figures.specification_curve(claims, params.readings, claim, surfaces)
         drawn[f"claim-{claim.claim}-readings"] = curve
     for quantity in "KH":
         drawn[f"ranks-{quantity}"] = figures.rank_plot(ranks, quantity, surfaces, modules)
-        drawn[f"rings-{quantity}"] = figures.rings_plot(rings, params.rings, quantity)
+        drawn[f"rings-{quantity}"] = claim_figures.rings_plot(rings, params.rings, quantity)
     for name, figure in drawn.items():
         for kind in ("svg", "png"):
             figures.save(figure, f"{params.folder}/{name}.{kind}")

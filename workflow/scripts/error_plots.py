@@ -8,10 +8,11 @@ from curvlib.job import logged
 
 with logged(snakemake.log[0]):
     params = snakemake.params
-    tables = [pd.read_csv(snakemake.input[name]) for name in ("errors", "convergence")]
+    errors, convergence = map(pd.read_csv, snakemake.input)
     modules = {name: estimators.module(file) for name, file in params.estimators.items()}
     modules |= {name: surfaces.module(file) for name, file in params.surfaces.items()}
-    for figure, surface in params.figures.items():
-        drawn = error_plot(*tables, surface, params.quantity, modules)
+    for figure, (surface, resolutions) in params.figures.items():
+        points = errors[errors.n.isin(resolutions)]
+        drawn = error_plot(points, convergence, surface, params.quantity, modules)
         for kind in ("svg", "png"):
             save(drawn, f"{params.folder}/{figure}.{kind}")
