@@ -94,7 +94,7 @@ def throughput_plot(table) -> Figure:
 
 def _apart(values):
     """Labels of rising values on a logarithmic axis, empty where they would run into the next."""
-    step = np.log(values[-1] / values[0]) / 14
+    step = np.log(values[-1] / values[0]) / 12
     labels, above = [], np.inf
     for value in values[::-1]:
         far = np.log(above / value) >= step
