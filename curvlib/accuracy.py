@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 
-from .norms import ROUNDING
+from .norms import ROUNDING, VERTICES
 
 CURVE = ["surface", "diagonal", "estimator", "variant", "counted", "quantity"]
 
@@ -19,8 +19,9 @@ def by_variant(tables, full) -> pd.DataFrame:
     the same rows for every choice of vertices.
     """
     rows = pd.concat(tables, ignore_index=True)
-    poles = set(rows.surface[rows.counted != "interior"])
-    same = rows[~rows.surface.isin(poles)].assign(counted="without-poles")
+    _, without_poles = VERTICES
+    poles = set(rows.surface[rows.counted == without_poles])
+    same = rows[~rows.surface.isin(poles)].assign(counted=without_poles)
     rows = pd.concat([rows, same], ignore_index=True)
     return rows.assign(full=[mesh in full for mesh in zip(rows.diagonal, rows.n)])
 

@@ -15,6 +15,7 @@ class Catalogue:
         self.what = what
         self.folder = Path(__file__).parent / folder
         self.package = f"{__package__}.{folder}"
+        self._loaded = {}
 
     def names(self) -> list[str]:
         """Names found in the folder, sorted."""
@@ -39,9 +40,13 @@ class Catalogue:
 
     def module(self, name: str):
         """The imported module behind a name or path; errors as in `path`."""
+        if name in self._loaded:
+            # Without a look at the folder, which would cost more than a small mesh's estimate.
+            return self._loaded[name]
         path = self.path(name)
         if path.parent == self.folder:
-            return importlib.import_module(f"{self.package}.{path.stem}")
+            self._loaded[name] = importlib.import_module(f"{self.package}.{path.stem}")
+            return self._loaded[name]
         # Keyed by its path: two strangers' files may share a stem.
         key = f"{self.package}:{path.resolve()}"
         if key not in sys.modules:

@@ -4,7 +4,8 @@ import numpy as np
 import pandas as pd
 
 from .accuracy import rounding_levels, slope_fit, verdict
-from .claims import CLAIMS, NINE, SEVEN, Cell, ranks
+from .claims import CLAIMS, NINE, SEVEN, Cell, orders, ranks
+from .norms import VERTICES
 
 NOISE_SIGMA = 0.01
 
@@ -31,6 +32,7 @@ class Evidence:
         noise = noise.set_index(["surface", "quantity", "estimator", "variant"]).value
         self.noise = dict(noise)
         self.rings = _ring_curves(rings)
+        self.ring_places = sorted({key[:2] for key in self.rings})
 
     def decide(self, reading: pd.DataFrame):
         """Yield rows of claims.csv for one reading, its rows of readings.csv."""
@@ -54,13 +56,12 @@ class Evidence:
             )
             for claim in CLAIMS:
                 yield _row(claim, surface, diagonal, name, claim.decide(cell))
-        if counted == "interior":
-            for place in sorted({key[:2] for key in self.rings}):
+        if counted == VERTICES[0]:
+            (claim,) = (claim for claim in CLAIMS if claim.decide is orders)
+            for place in self.ring_places:
                 curve = self._curves(place, variants, self.rings)
                 cell = Cell(place[1], self.resolutions, {}, {}, {}, curve, {})
-                for claim in CLAIMS:
-                    if claim.number == 8:
-                        yield _row(claim, *place, name, claim.decide(cell))
+                yield _row(claim, *place, name, claim.decide(cell))
 
     def _errors(self, surface, diagonal, counted, variants):
         """(quantity, norm) -> errors (resolutions, 9), raised to the rounding level."""

@@ -7,6 +7,9 @@ from .nurbs import Surface
 
 NORMS = ("mean", "q95", "max", "mean-signed")
 
+# Which vertices count, a choice that no estimator makes: the default first.
+VERTICES = ("interior", "without-poles")
+
 # Errors below this fraction of the surface's curvature (largest k^2 for K, k for H) are rounding.
 ROUNDING = 1e-9
 
@@ -43,10 +46,10 @@ def counted_vertices(mesh: Mesh, surface: Surface) -> dict:
             if surface.has_pole(axis, end):
                 poles |= mesh.uv[:, axis] == surface.domain[axis][end]
     if not poles.any():
-        return {"interior": everywhere}
+        return dict(zip(VERTICES, (everywhere,)))
     near = np.zeros_like(poles)
     near[mesh.faces[poles[mesh.faces].any(1)]] = True
-    return {"interior": everywhere, "without-poles": ~near}
+    return dict(zip(VERTICES, (everywhere, ~near)))
 
 
 def largest_curvature(mesh: Mesh) -> float:

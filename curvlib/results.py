@@ -29,12 +29,13 @@ def run_estimator(
             chosen = variants if is_full else {default: variants[default]}
             mesh_labels = {"surface": surface, "diagonal": diagonal, "n": n}
             mesh_labels |= {"triangles": len(mesh.faces), "largest_k": largest_curvature(mesh)}
+            choices = counted_vertices(mesh, surfaces[surface])
             for variant, options in chosen.items():
                 result = estimate(mesh, estimator, **options)
                 if variant == default and is_full:
                     for quantity, values in result._asdict().items():
                         file[f"{surface}/{diagonal}/{n}/{quantity}"] = values
-                for choice, counted in counted_vertices(mesh, surfaces[surface]).items():
+                for choice, counted in choices.items():
                     labels = {"estimator": stem, "variant": variant, "counted": choice}
                     for row in error_rows(mesh, result, counted):
                         yield mesh_labels | labels | row

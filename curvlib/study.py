@@ -9,10 +9,8 @@ from .catalogue import estimators, surfaces
 from .errors import InputError, check_name
 from .estimation import readings as estimator_options
 from .library import open_archive
+from .norms import VERTICES
 from .tessellation import check_cut, check_resolution
-
-# A choice that no estimator makes: which vertices count. Defaults first, as everywhere.
-VERTICES = ("interior", "without-poles")
 
 
 @dataclass(frozen=True)
@@ -139,15 +137,13 @@ class Study:
                 check_name(option, chosen, valid[option], f"config: reading {name!r}")
         return {name: choices or {} for name, choices in value.items()}
 
-    def _vary(self, value):
+    def _vary(self, value, where="vary"):
         for option in value:
-            check_name("option", option, self.choices(), "config: vary")
+            check_name("option", option, self.choices(), f"config: {where}")
         return value
 
     def _product(self, value):
-        for option in value:
-            check_name("option", option, self.choices(), "config: product")
-        return value
+        return self._vary(value, "product")
 
     def _library(self, value):
         if Path(value).suffix != ".zip":

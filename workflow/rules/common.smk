@@ -9,7 +9,8 @@ sys.path.insert(0, workflow.basedir)
 from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError
 from curvlib.provenance import digest
-from curvlib.study import VERTICES, Study, variant
+from curvlib.norms import VERTICES
+from curvlib.study import Study, variant
 
 # One thread per job: jobs run side by side, and sums come out the same on any machine.
 os.environ |= {
