@@ -81,11 +81,13 @@ def claims_map(claims, summary, surfaces) -> Figure:
     return figure
 
 
-def rings_plot(rings, variants, quantity: str) -> Figure:
-    """Error against ring size on a quadric, valence by valence, with the fitted slopes.
+def rings_plot(rings, slopes, variants, quantity: str) -> Figure:
+    """Error against ring size on a quadric, valence by valence, with the fitted orders.
 
-    `variants`: (estimator, variant, label) of the columns; regular rings full, irregular dashed.
+    `slopes`: rings.csv. `variants`: (estimator, variant, label) of the columns; regular rings
+    full, irregular dashed.
     """
+    slopes = slopes.set_index(["estimator", "variant", "quantity", "valence", "ring"]).slope
     figure = Figure(figsize=(7.4, 3.4))
     panels = figure.subplots(1, len(variants), sharey=True, squeeze=False)[0]
     figure.subplots_adjust(left=0.08, right=0.9, bottom=0.17, top=0.9, wspace=0.35)
@@ -98,8 +100,8 @@ def rings_plot(rings, variants, quantity: str) -> Figure:
             for kind, line in (("regular", "-"), ("irregular", "--")):
                 p = both[both.ring == kind].sort_values("h")
                 axes.loglog(p.h, p.value, line, color=colour, linewidth=1)
-                slope = np.polyfit(np.log(p.h[: len(p) // 2]), np.log(p.value[: len(p) // 2]), 1)[0]
-                ends.append((p.value.iloc[-1], f"{valence}{kind[0]}: {slope:.1f}", colour))
+                order = -slopes.loc[(estimator, variant, quantity, valence, kind)]
+                ends.append((p.value.iloc[-1], f"{valence}{kind[0]}: {order:z.1f}", colour))
         axes.set_title(label, loc="left", fontsize=8)
         axes.set_xlabel("ring size h (length)")
         for place, (_, text, colour) in enumerate(sorted(ends, key=lambda end: -end[0])):
@@ -112,7 +114,7 @@ def rings_plot(rings, variants, quantity: str) -> Figure:
                 fontsize=6,
                 color=colour,
             )
-    note = "beside a panel: valence, r(egular, full line) or i(rregular, dashed): slope"
+    note = "beside a panel: valence, r(egular, full line) or i(rregular, dashed): p of O(h^p)"
     figure.text(0.98, 0.02, note, ha="right", fontsize=6)
     panels[0].set_ylabel(f"mean absolute error of {SYMBOLS[quantity]} ({UNITS[quantity]})")
     return figure

@@ -13,8 +13,8 @@ NOISE_SIGMA = 0.01
 class Evidence:
     """The tables as look-ups, from which any reading's cells are put together.
 
-    `rows`, `curves`: of `accuracy.by_variant` and `accuracy.convergence`; `noise`, `rings`: of
-    `trials`. Estimates are shared: a reading only names its variants.
+    `rows`, `curves`: of `accuracy.by_variant` and `accuracy.convergence`; `noise`: of `trials`;
+    `rings`: of `ring_slopes`. Estimates are shared: a reading only names its variants.
     """
 
     def __init__(self, rows, curves, noise, rings):
@@ -25,13 +25,15 @@ class Evidence:
         key = ["surface", "diagonal", "counted", "quantity", "norm", "estimator", "variant"]
         by_n = full.set_index([*key, "n"]).value.unstack("n")
         self.errors = dict(zip(by_n.index, by_n.fillna(np.inf).to_numpy()))
-        key = ["surface", "diagonal", "counted", "quantity", "estimator", "variant"]
-        fits = curves.set_index(key)[["tail", "tail_stderr", "verdict"]]
-        self.curves = dict(zip(fits.index, fits.itertuples(index=False, name=None)))
+        fits = ["tail", "tail_stderr", "verdict"]
+        place = ["surface", "diagonal", "counted"]
+        self.curves = _fits(curves, place, fits)
         noise = noise[noise.sigma == NOISE_SIGMA]
         noise = noise.set_index(["surface", "quantity", "estimator", "variant"]).value
         self.noise = dict(noise)
-        self.rings = _ring_curves(rings)
+        cuts = "valence-" + rings.valence.astype(str) + "-" + rings.ring
+        rings = rings.assign(surface="quadric", diagonal=cuts)
+        self.rings = _fits(rings, place[:2], ["slope", "stderr", "verdict"])
         self.ring_places = sorted({key[:2] for key in self.rings})
 
     def decide(self, reading: pd.DataFrame):
@@ -95,20 +97,28 @@ def _row(claim, surface, diagonal, reading, decided):
     return first | {"holds": holds, "effect": decided.effect, "evidence": decided.evidence}
 
 
-def _ring_curves(rings):
-    """("quadric", "valence-<n>-<ring>", quantity, estimator, variant) -> slope over 1/h, its
-    standard error and verdict, from the smaller half of the sizes."""
-    result = {}
-    for key, points in rings.groupby(["valence", "ring", "quantity", "estimator", "variant"]):
+def _fits(curves, place, columns):
+    """(*place, quantity, estimator, variant) -> slope, its standard error and verdict."""
+    fits = curves.set_index([*place, "quantity", "estimator", "variant"])[columns]
+    return dict(zip(fits.index, fits.itertuples(index=False, name=None)))
+
+
+def ring_slopes(rings: pd.DataFrame) -> pd.DataFrame:
+    """rings.csv: per valence, kind of ring, quantity, estimator and variant the slope of
+    log(mean error) over log(1/h) on the smaller half of the sizes, its standard error, verdict."""
+    key = ["valence", "ring", "quantity", "estimator", "variant"]
+    rows = []
+    for names, points in rings.groupby(key):
         points = points.sort_values("h", ascending=False).iloc[len(points) // 2 :]
         fit = slope_fit(-np.log(points.h.to_numpy()), np.log(points.value.to_numpy()))
-        result["quadric", f"valence-{key[0]}-{key[1]}", *key[2:]] = (*fit, verdict(fit[0]))
-    return result
+        rows.append((*names, *fit, verdict(fit[0])))
+    return pd.DataFrame(rows, columns=[*key, "slope", "stderr", "verdict"])
 
 
 def summary(decided: pd.DataFrame, named, singles, diagonals) -> pd.DataFrame:
     """claims-summary.csv: each claim in words, how it fares on the SEVEN in the `named` readings
-    on the first diagonal, and which of the `singles` readings or diagonals turns it over."""
+    on the first diagonal, which of the `singles` readings or diagonals turns it over, and on how
+    many surfaces at most it is true in any reading and cut, with the first such."""
     seven = decided[decided.surface.isin(SEVEN)]
     rows = []
     for claim in CLAIMS:
@@ -119,6 +129,9 @@ def summary(decided: pd.DataFrame, named, singles, diagonals) -> pd.DataFrame:
         default = readings["default"]
         turned = [r for r in singles if stands(readings[r]) != stands(default)]
         turned += [f"diagonal={d}" for d in diagonals if stands(cuts[d]) != stands(default)]
+        every = here.groupby(["reading", "diagonal"], sort=False).holds
+        most = every.agg(lambda holds: (holds == "true").sum())
+        reading, diagonal = most.idxmax()
         open_on = at_first[(at_first.reading == "default") & (at_first.holds == "undecided")]
         rows.append(
             {
@@ -131,6 +144,8 @@ def summary(decided: pd.DataFrame, named, singles, diagonals) -> pd.DataFrame:
                 "cells": len(here),
                 "true": int((here.holds == "true").sum()),
                 "undecided": int((here.holds == "undecided").sum()),
+                "most": int(most.max()),
+                "most_in": f"{reading}, diagonal={diagonal}",
                 "turned_over_by": ", ".join(turned),
                 "undecided_on": ", ".join(sorted(open_on.surface)),
             }

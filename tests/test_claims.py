@@ -190,9 +190,9 @@ def test_rings_shrink_as_theory_says():
         ("paraboloid", "estimated", {}),
     ):
         table = pd.DataFrame(ring_rows(name, {"-": options})).assign(estimator=label)
-        for (_, ring, quantity, _, _), (tail, *_) in evidence._ring_curves(table).items():
-            if quantity == "K":
-                slope[label, ring.removeprefix("valence-")] = tail
+        for fit in evidence.ring_slopes(table).itertuples():
+            if fit.quantity == "K":
+                slope[label, f"{fit.valence}-{fit.ring}"] = fit.slope
     for n in range(4, 10):
         deficit = -2 if n == 6 else 0
         assert slope["gauss_bonnet", f"{n}-regular"] == pytest.approx(deficit, abs=0.1)

@@ -1,5 +1,6 @@
 # In: errors of all variants, trials. Out: the paper's claims, decided for every surface, diagonal
-# and reading, products of readings included; their summary; the answer for the README.
+# and reading, products of readings included; their summary; slopes on shrinking rings; the answer
+# for the README.
 
 
 rule claims:
@@ -10,6 +11,7 @@ rule claims:
     output:
         claims=study.results / "tables/claims.csv",
         summary=study.results / "tables/claims-summary.csv",
+        rings=study.results / "tables/rings.csv",
         answer=study.results / "tables/answer.md",
         words=study.results / "tables/answer-in-words.md",
     log:

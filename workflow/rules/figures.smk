@@ -61,6 +61,7 @@ rule claim_plots:
         claims=rules.claims.output.claims,
         summary=rules.claims.output.summary,
         ranks=rules.accuracy.output.ranks,
+        slopes=rules.claims.output.rings,
         rings=RINGS,
     output:
         expand(FIGURES / "{figure}.{kind}", figure=CLAIM_FIGURES, kind=["svg", "png"]),

@@ -9,7 +9,8 @@ from curvlib.job import logged
 
 with logged(snakemake.log[0]):
     inputs, params = snakemake.input, snakemake.params
-    claims, summary, ranks = map(pd.read_csv, (inputs.claims, inputs.summary, inputs.ranks))
+    tables = inputs.claims, inputs.summary, inputs.ranks, inputs.slopes
+    claims, summary, ranks, slopes = map(pd.read_csv, tables)
     rings = pd.concat(map(pd.read_csv, inputs.rings))
     modules = {name: estimators.module(file) for name, file in params.estimators.items()}
     surfaces = [name for name in SEVEN if name in set(claims.surface)]
@@ -19,7 +20,7 @@ with logged(snakemake.log[0]):
         drawn[f"claim-{claim.claim}-readings"] = curve
     for quantity in "KH":
         drawn[f"ranks-{quantity}"] = figures.rank_plot(ranks, quantity, surfaces, modules)
-        drawn[f"rings-{quantity}"] = claim_figures.rings_plot(rings, params.rings, quantity)
+        drawn[f"rings-{quantity}"] = claim_figures.rings_plot(rings, slopes, params.rings, quantity)
     for name, figure in drawn.items():
         for kind in ("svg", "png"):
             figures.save(figure, f"{params.folder}/{name}.{kind}")

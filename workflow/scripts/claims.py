@@ -11,7 +11,9 @@ with logged(snakemake.log[0]):
     inputs, params, output = snakemake.input, snakemake.params, snakemake.output
     rows = accuracy.by_variant(map(pd.read_csv, inputs.errors), set(map(tuple, params.full)))
     noise, rings = (pd.concat(map(pd.read_csv, files)) for files in (inputs.noise, inputs.rings))
-    found = evidence.Evidence(rows, accuracy.convergence(rows), noise, rings)
+    slopes = evidence.ring_slopes(rings)
+    slopes.to_csv(output.rings, index=False)
+    found = evidence.Evidence(rows, accuracy.convergence(rows), noise, slopes)
     readings = pd.DataFrame(params.readings).groupby("reading", sort=False)
     claims = pd.DataFrame(row for _, reading in readings for row in found.decide(reading))
     claims.to_csv(output.claims, index=False)
