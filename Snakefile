@@ -1,5 +1,8 @@
 # The whole study: `snakemake` alone makes everything that rule `all` names.
-# config -> library -> estimates -> errors, slopes, ranks -> figures and tables
+# config -> library -> estimates -> errors, slopes, ranks -> figures, tables, article
+
+
+report: "workflow/report/workflow.rst"
 
 
 configfile: f"{workflow.basedir}/config/config.yaml"
@@ -20,6 +23,7 @@ include: "workflow/rules/estimates.smk"
 include: "workflow/rules/accuracy.smk"
 include: "workflow/rules/claims.smk"
 include: "workflow/rules/figures.smk"
+include: "workflow/rules/paper.smk"
 include: "workflow/rules/readme.smk"
 include: "workflow/rules/throughput.smk"
 
@@ -31,3 +35,7 @@ rule all:
         rules.accuracy.output,
         rules.claims.output,
         rules.figures.input,
+        rules.paper.output if THE_STUDY else [],
+
+
+include: "workflow/rules/report.smk"

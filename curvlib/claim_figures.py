@@ -56,7 +56,7 @@ def specification_curve(claims, readings, claim, surfaces) -> Figure:
     return figure
 
 
-def claims_map(claims, summary, surfaces) -> Figure:
+def claims_map(claims, summary, surfaces, modules) -> Figure:
     """Claims against surfaces: the default reading, on the grid that the paper has."""
     cells = claims[(claims.reading == "default") & (claims.diagonal == "same")]
     holds = cells.pivot(index="claim", columns="surface", values="holds")[surfaces]
@@ -74,7 +74,8 @@ def claims_map(claims, summary, surfaces) -> Figure:
     sentences = ["\n".join(wrap(f"{c}. {s}", 52)) for c, s in zip(summary.claim, summary.sentence)]
     axes.set_yticks(np.arange(len(holds)) + 0.46, sentences, fontsize=6.5)
     axes.xaxis.tick_top()
-    axes.set_xticks(np.arange(len(surfaces)) + 0.47, surfaces, rotation=40, ha="left", fontsize=7.5)
+    labels = [modules[surface].LABEL for surface in surfaces]
+    axes.set_xticks(np.arange(len(surfaces)) + 0.47, labels, rotation=40, ha="left", fontsize=7.5)
     axes.tick_params(length=0)
     for spine in axes.spines.values():
         spine.set_visible(False)

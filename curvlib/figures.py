@@ -129,7 +129,8 @@ def rank_plot(ranks, quantity: str, surfaces, modules) -> Figure:
         axes.plot(x, y, label=modules[name].LABEL, **style)
     axes.invert_yaxis()
     axes.set_yticks(range(1, shown["rank"].max() + 1))
-    axes.set_xticks(range(len(surfaces)), surfaces, rotation=20, fontsize=7)
+    labels = [modules[surface].LABEL for surface in surfaces]
+    axes.set_xticks(range(len(surfaces)), labels, rotation=20, fontsize=7)
     axes.set_ylabel(f"rank by mean error of {SYMBOLS[quantity]}")
     axes.set_title(f"Ranks for {NAMES[quantity]} at n = {shown.n.iloc[0]}", loc="left")
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8)

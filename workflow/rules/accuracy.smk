@@ -6,7 +6,7 @@ rule accuracy:
     input:
         ERRORS,
     output:
-        readings=study.results / "tables/readings.csv",
+        readings=tabled("readings"),
         errors=study.results / "tables/errors.csv",
         convergence=study.results / "tables/convergence.csv",
         ranks=study.results / "tables/ranks.csv",

@@ -10,7 +10,7 @@ rule claims:
         rings=RINGS,
     output:
         claims=study.results / "tables/claims.csv",
-        summary=study.results / "tables/claims-summary.csv",
+        summary=tabled("claims-summary"),
         rings=study.results / "tables/rings.csv",
         answer=study.results / "tables/answer.md",
         words=study.results / "tables/answer-in-words.md",

@@ -3,6 +3,8 @@ import os
 import sys
 from pathlib import Path
 
+import yaml
+
 # This checkout's curvlib, here and in the jobs, whatever else is installed.
 sys.path.insert(0, workflow.basedir)
 
@@ -30,6 +32,12 @@ def code(script, *files):
     return digest(Path(workflow.basedir, "workflow", "scripts", f"{script}.py"), *files)
 
 
+# Whether this is the study that config.yaml describes, wherever its files lie.
+PLACES = {key: config[key] for key in ("library", "results")}
+THE_STUDY = (
+    config == yaml.safe_load(Path(workflow.basedir, "config/config.yaml").read_text()) | PLACES
+)
+
 # Files outside the package are known to the rules by their stems.
 SURFACES = {Path(name).stem: name for name in study.surfaces}
 ESTIMATORS = {Path(name).stem: name for name in study.estimators}
@@ -46,6 +54,13 @@ PAPER_FIGURES = {
     "H": {"figure-4": "revolution", "figure-6": "teapot_spout"},
 }
 
+# The report is grouped by these.
+HOLDS = "1. Does the paper hold?"
+ERRORS_FALL = "2. How large are the errors, and how fast do they fall?"
+WHERE = "3. Where does each estimator fail?"
+MEASURED_ON = "4. What was it measured on?"
+HOW_FAST = "5. How fast is it?"
+
 
 def reading_rows(readings):
     """Rows reading, estimator, variant, counted: what each reading means."""
@@ -59,6 +74,32 @@ def reading_rows(readings):
         for name, reading in readings.items()
         for stem, file in ESTIMATORS.items()
     ]
+
+
+def caption(figure):
+    """The caption file of a figure: its own or that of its kind, `error-K` for `error-K-cone`."""
+    parts = figure.split("-")
+    kinds = ("-".join(parts[:n]) for n in range(len(parts), 0, -1))
+    files = (Path(workflow.basedir, f"workflow/report/{kind}.rst") for kind in kinds)
+    return str(next(file for file in files if file.exists()))
+
+
+def reported(file, question, name):
+    """A file for the report: under a question, with its caption."""
+    shown = name.replace("-", " ").replace("_", " ")
+    return report(file, caption=caption(name), category=question, labels={"what": shown})
+
+
+def tabled(table):
+    """The file of a table that is short enough for the report."""
+    return reported(study.results / f"tables/{table}.csv", HOLDS, table)
+
+
+def drawn(figures, question, kinds=("svg", "png")):
+    """Files of figures, those of the first kind for the report."""
+    folder = study.results / "figures"
+    others = [folder / f"{figure}.{kind}" for kind in kinds[1:] for figure in figures]
+    return [reported(folder / f"{f}.{kinds[0]}", question, f) for f in figures] + others
 
 
 def error_figures(quantity):

@@ -1,8 +1,8 @@
 # In: the tables. Out: mean absolute error against triangles for all surfaces, with the paper's
 # Figures 3 to 6 among them, SVG and PNG.
-FIGURES = study.results / "figures"
-CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in "KH")]
-CLAIM_FIGURES += [f"claim-{number}-readings" for number in range(1, 10)]
+CLAIM_FIGURES = ["claims", *(f"readings-claim-{number}" for number in range(1, 10))]
+CLAIM_FIGURES += [f"{what}-{q}" for what in ("ranks", "rings") for q in "KH"]
+ERROR_FIGURES = [figure for quantity in "KH" for figure in error_figures(quantity)]
 
 # What claim 8 is about, with the paper's normals and with exact ones.
 RING_CURVES = [
@@ -18,13 +18,11 @@ RING_CURVES = [
 
 rule figures:
     input:
-        [
-            FIGURES / f"{figure}.{kind}"
-            for quantity in "KH"
-            for figure in error_figures(quantity)
-            for kind in ("svg", "png")
-        ],
-        expand(FIGURES / "{figure}.{kind}", figure=CLAIM_FIGURES, kind=["svg", "png"]),
+        expand(
+            study.results / "figures/{figure}.{kind}",
+            figure=[*ERROR_FIGURES, *CLAIM_FIGURES],
+            kind=["svg", "png"],
+        ),
 
 
 for quantity in "KH":
@@ -36,11 +34,7 @@ for quantity in "KH":
             errors=rules.accuracy.output.errors,
             convergence=rules.accuracy.output.convergence,
         output:
-            expand(
-                FIGURES / "{figure}.{kind}",
-                figure=error_figures(quantity),
-                kind=["svg", "png"],
-            ),
+            drawn(error_figures(quantity), ERRORS_FALL),
         log:
             study.results / f"logs/error_plots_{quantity}.log",
         conda:
@@ -48,7 +42,7 @@ for quantity in "KH":
         params:
             quantity=quantity,
             figures=error_figures(quantity),
-            folder=FIGURES,
+            folder=study.results / "figures",
             estimators=ESTIMATORS,
             surfaces=SURFACES,
             code=code("error_plots", *map(estimators.path, study.estimators)),
@@ -64,7 +58,7 @@ rule claim_plots:
         slopes=rules.claims.output.rings,
         rings=RINGS,
     output:
-        expand(FIGURES / "{figure}.{kind}", figure=CLAIM_FIGURES, kind=["svg", "png"]),
+        drawn(CLAIM_FIGURES, HOLDS),
     log:
         study.results / "logs/claim_plots.log",
     conda:
@@ -72,8 +66,9 @@ rule claim_plots:
     params:
         readings=study.products() or study.all_readings(),
         rings=RING_CURVES,
-        folder=FIGURES,
+        folder=study.results / "figures",
         estimators=ESTIMATORS,
+        surfaces=SURFACES,
         code=code("claim_plots", *map(estimators.path, study.estimators)),
     script:
         "../scripts/claim_plots.py"

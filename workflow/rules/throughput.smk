@@ -5,7 +5,7 @@
 rule throughput:
     output:
         table=study.results / "tables/throughput.csv",
-        figure=study.results / "figures/throughput.svg",
+        figure=drawn(["throughput"], HOW_FAST, kinds=["svg"])[0],
     log:
         study.results / "logs/throughput.log",
     conda:

@@ -3,7 +3,7 @@
 import pandas as pd
 
 from curvlib import claim_figures, figures
-from curvlib.catalogue import estimators
+from curvlib.catalogue import estimators, surfaces
 from curvlib.claims import SEVEN
 from curvlib.job import logged
 
@@ -13,13 +13,14 @@ with logged(snakemake.log[0]):
     claims, summary, ranks, slopes = map(pd.read_csv, tables)
     rings = pd.concat(map(pd.read_csv, inputs.rings))
     modules = {name: estimators.module(file) for name, file in params.estimators.items()}
-    surfaces = [name for name in SEVEN if name in set(claims.surface)]
-    drawn = {"claims": claim_figures.claims_map(claims, summary, surfaces)}
+    modules |= {name: surfaces.module(file) for name, file in params.surfaces.items()}
+    shown = [name for name in SEVEN if name in set(claims.surface)]
+    drawn = {"claims": claim_figures.claims_map(claims, summary, shown, modules)}
     for claim in summary.itertuples():
-        curve = claim_figures.specification_curve(claims, params.readings, claim, surfaces)
-        drawn[f"claim-{claim.claim}-readings"] = curve
+        curve = claim_figures.specification_curve(claims, params.readings, claim, shown)
+        drawn[f"readings-claim-{claim.claim}"] = curve
     for quantity in "KH":
-        drawn[f"ranks-{quantity}"] = figures.rank_plot(ranks, quantity, surfaces, modules)
+        drawn[f"ranks-{quantity}"] = figures.rank_plot(ranks, quantity, shown, modules)
         drawn[f"rings-{quantity}"] = claim_figures.rings_plot(rings, slopes, params.rings, quantity)
     for name, figure in drawn.items():
         for kind in ("svg", "png"):

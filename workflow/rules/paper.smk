@@ -1,0 +1,39 @@
+# In: tables, trials, figures with their captions, the article's source. Out: the article, whose
+# numbers are looked up in them while it is set. It is about the study of config.yaml; of another
+# one it can be asked for by name, and fails where that lacks what it quotes.
+from curvlib.claims import NINE, SEVEN
+
+ARTICLE = Path(workflow.basedir, "paper/paper.typ")
+CAPTIONS = {figure: caption(figure) for figure in [*ERROR_FIGURES, *CLAIM_FIGURES]}
+
+
+rule paper:
+    input:
+        rules.accuracy.output,
+        rules.claims.output,
+        rules.figures.input,
+        NOISE,
+        [file for kind in ("typ", "bib") for file in sorted(ARTICLE.parent.glob(f"*.{kind}"))],
+        sorted(set(CAPTIONS.values())),
+        citation=f"{workflow.basedir}/CITATION.cff",
+    output:
+        reported(study.results / "paper/paper.pdf", HOLDS, "paper"),
+    log:
+        study.results / "logs/paper.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        article=ARTICLE,
+        results=study.results,
+        captions=CAPTIONS,
+        estimators=ESTIMATORS,
+        surfaces=SURFACES,
+        quoted={
+            "surfaces": SEVEN,
+            "estimators": NINE,
+            "resolutions": study.resolutions,
+            "cuts": study.diagonals,
+        },
+        code=code("paper", *map(estimators.path, study.estimators)),
+    script:
+        "../scripts/paper.py"
