@@ -47,6 +47,7 @@ IMPORTS = {
     "evidence": {"accuracy", "claims", "norms"},
     "figures": set(),
     "claim_figures": {"figures"},
+    "article": {"errors"},
 }
 
 

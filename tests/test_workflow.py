@@ -155,15 +155,31 @@ def test_a_mistake_is_one_line_before_any_job(study, config, message):
 
 
 def test_readme_shows_what_the_study_says(study):
-    """The whole study, cold: README's table and picture and CHANGELOG's words are its own."""
+    """The whole study, cold: README's table and picture and CHANGELOG's words are its own, and so
+    is the article, the same bytes each time; without a value that it quotes there is none."""
     names = ("README.md", "CHANGELOG.md", "paper/readme-figure.svg")
-    (study.folder / "paper").mkdir()
+    shutil.copytree(ROOT / "paper", study.folder / "paper")
+    shutil.copy(ROOT / "CITATION.cff", study.folder)
     tracked = [study.folder / name for name in names]
     for name, path in zip(names, tracked):
         shutil.copy(ROOT / name, path)
     before = [path.read_bytes() for path in tracked]
-    study("readme", config="config/config.yaml")
+    study("readme", "all", config="config/config.yaml")
     assert [path.read_bytes() for path in tracked] == before, "run `snakemake readme` and commit"
+
+    article = study.folder / "results/paper/paper.pdf"
+    made = article.read_bytes()
+    assert made.startswith(b"%PDF")
+    article.unlink()
+    study("paper", config="config/config.yaml")
+    assert article.read_bytes() == made
+    table = study.folder / "results/tables/ranks.csv"
+    rows = table.read_text().splitlines(keepends=True)
+    quoted = "sphere,same,50,default,H,paraboloid,"
+    table.write_text("".join(row for row in rows if not row.startswith(quoted)))
+    output = study("paper", config="config/config.yaml", ok=False)
+    assert "not in the results of this run: rank sphere/50/H/paraboloid" in output
+    assert not article.exists()
 
 
 def test_truncated_library_file(study):

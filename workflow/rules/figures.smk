@@ -4,15 +4,17 @@ CLAIM_FIGURES = ["claims", *(f"readings-claim-{number}" for number in range(1, 1
 CLAIM_FIGURES += [f"{what}-{q}" for what in ("ranks", "rings") for q in "KH"]
 ERROR_FIGURES = [figure for quantity in "KH" for figure in error_figures(quantity)]
 
-# What claim 8 is about, with the paper's normals and with exact ones.
+# What claim 8 is about, with the paper's normals and with exact ones: estimator, variant, label.
 RING_CURVES = [
-    (name, variant(study.options(ESTIMATORS[name], reading)), label)
+    (name, key, label)
     for name, reading, label in (
         ("gauss_bonnet", {}, "Gauss-Bonnet"),
         ("paraboloid", {}, "Paraboloid, estimated normals"),
         ("paraboloid", {"normal": "exact"}, "Paraboloid, exact normals"),
     )
     if name in ESTIMATORS
+    and (key := variant(study.options(ESTIMATORS[name], reading)))
+    in study.variants(ESTIMATORS[name])
 ]
 
 
