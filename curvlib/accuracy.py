@@ -54,24 +54,27 @@ def convergence(rows) -> pd.DataFrame:
     for an error of O(h^2): `converges` below -STAGNATION, `diverges` above it, `stagnates`
     between. Curves of one resolution are left out.
     """
-    levels, result = rounding_levels(rows), []
     mean = rows[rows.norm == "mean"].sort_values("n")
-    for curve, points in mean.groupby(CURVE, sort=False):
-        if len(points) < 2:
-            continue
-        labels = dict(zip(CURVE, curve))
-        level = levels[labels["surface"], labels["quantity"]]
-        n, value = points.n.to_numpy(float), points.value.to_numpy()
-        x, y = np.log(n[value > level]), np.log(value[value > level])
-        fit = {"verdict": "exact"}
-        if len(x) > 1:
-            fit = _fits(x, y)
-            fit["verdict"] = verdict(fit["tail"])
-        result.append(
-            labels | fit | {"monotone": bool((np.diff(value) < 0).all()), "rounding": level}
-        )
-    columns = ["slope", "stderr", "jackknife", "tail", "tail_stderr", "monotone", "verdict"]
-    return pd.DataFrame(result, columns=[*CURVE, *columns, "rounding"])
+    rises = mean.assign(rises=mean.groupby(CURVE).value.diff() >= 0).groupby(CURVE).rises.any()
+    by_n = mean.set_index([*CURVE, "n"]).value.unstack("n")
+    by_n = by_n[by_n.notna().sum(axis=1) > 1]
+    curves = by_n.index.to_frame(index=False)
+    levels = rounding_levels(rows)
+    level = np.array([levels[key] for key in zip(curves.surface, curves.quantity)])
+
+    value = by_n.to_numpy()
+    use = value > level[:, None]
+    x, y = np.log(by_n.columns.to_numpy(float)), np.log(np.where(use, value, 1))
+    count = use.sum(1)
+    # The finest half: of the points in use, those with few enough from there on.
+    behind = use[:, ::-1].cumsum(1)[:, ::-1]
+    tail = use & (behind <= np.maximum(3, (count + 1) // 2)[:, None])
+    fits = dict(zip(("slope", "stderr"), slope_fit(x, y, use)))
+    fits["jackknife"] = _jackknife(x, y, use)
+    fits |= zip(("tail", "tail_stderr"), slope_fit(x, y, tail))
+    fits["monotone"] = ~rises[by_n.index].to_numpy()
+    fits["verdict"] = [verdict(t) if c > 1 else "exact" for t, c in zip(fits["tail"], count)]
+    return curves.assign(**fits, rounding=level)
 
 
 def verdict(slope) -> str:
@@ -102,21 +105,24 @@ def ranks(table, levels) -> pd.DataFrame:
     return mean[[*group, "estimator", "value"]].assign(rank=rank)
 
 
-def _fits(x, y):
-    half = max(3, (len(x) + 1) // 2)
-    slope, stderr = slope_fit(x, y)
-    left_out = [slope_fit(np.delete(x, i), np.delete(y, i))[0] for i in range(len(x)) if len(x) > 2]
-    spread = np.sqrt((len(x) - 1) * np.var(left_out)) if left_out else np.nan
-    tail, tail_stderr = slope_fit(x[-half:], y[-half:])
-    names = ("slope", "stderr", "jackknife", "tail", "tail_stderr")
-    return dict(zip(names, (slope, stderr, spread, tail, tail_stderr)))
+def _jackknife(x, y, use):
+    """Standard error of the slope from leaving out one point after the other; NaN for two."""
+    without = use[:, None, :] & ~np.eye(use.shape[1], dtype=bool)
+    slopes = slope_fit(x, y[:, None, :], without)[0]
+    count = np.where(use.sum(1) > 2, use.sum(1), np.nan)
+    mean = np.where(use, slopes, 0).sum(1) / count
+    spread = np.where(use, slopes - mean[:, None], 0)
+    return np.sqrt((count - 1) * (spread * spread).sum(1) / count)
 
 
-def slope_fit(x, y):
-    """Slope of the least-squares line and its standard error (NaN for two points)."""
-    dx = x - x.mean()
-    slope = (dx * y).sum() / (dx * dx).sum()
-    rest = y - y.mean() - slope * dx
-    freedom = len(x) - 2
-    variance = (rest * rest).sum() / freedom if freedom else np.nan
-    return slope, np.sqrt(variance / (dx * dx).sum())
+def slope_fit(x, y, use):
+    """Slopes of the least-squares lines through the points (..., n) that are in use, and their
+    standard errors; NaN for less than two points, the error for less than three."""
+    count = use.sum(-1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        dx, dy = (use * (v - ((use * v).sum(-1) / count)[..., None]) for v in (x, y))
+        square = (dx * dx).sum(-1)
+        slope = (dx * dy).sum(-1) / square
+        rest = dy - slope[..., None] * dx
+        variance = (rest * rest).sum(-1) / np.where(count > 2, count - 2, np.nan)
+        return slope, np.sqrt(variance / square)

@@ -107,12 +107,12 @@ def ring_slopes(rings: pd.DataFrame) -> pd.DataFrame:
     """rings.csv: per valence, kind of ring, quantity, estimator and variant the slope of
     log(mean error) over log(1/h) on the smaller half of the sizes, its standard error, verdict."""
     key = ["valence", "ring", "quantity", "estimator", "variant"]
-    rows = []
-    for names, points in rings.groupby(key):
-        points = points.sort_values("h", ascending=False).iloc[len(points) // 2 :]
-        fit = slope_fit(-np.log(points.h.to_numpy()), np.log(points.value.to_numpy()))
-        rows.append((*names, *fit, verdict(fit[0])))
-    return pd.DataFrame(rows, columns=[*key, "slope", "stderr", "verdict"])
+    by_h = rings.set_index([*key, "h"]).value.unstack("h")
+    by_h = by_h.iloc[:, : (len(by_h.columns) + 1) // 2]
+    x, y = -np.log(by_h.columns.to_numpy(float)), np.log(by_h.to_numpy())
+    slope, stderr = slope_fit(x, y, np.ones(y.shape, dtype=bool))
+    fits = {"slope": slope, "stderr": stderr, "verdict": list(map(verdict, slope))}
+    return by_h.index.to_frame(index=False).assign(**fits)
 
 
 def summary(decided: pd.DataFrame, named, singles, diagonals) -> pd.DataFrame:

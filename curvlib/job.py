@@ -2,6 +2,7 @@
 
 import contextlib
 import sys
+import time
 import traceback
 from pathlib import Path
 
@@ -10,8 +11,10 @@ from .errors import InputError
 
 @contextlib.contextmanager
 def logged(path):
-    """Send what is printed to a log file. An error ends the job and stands in the log and on the
-    terminal: one line where the input is at fault, else the traceback."""
+    """Send what is printed to a log file, and at the end how much processor time the job took,
+    to start and for its work. An error ends the job and stands in the log and on the terminal:
+    one line where the input is at fault, else the traceback."""
+    start = time.process_time()
     with (
         Path(path).open("w", buffering=1) as log,
         contextlib.redirect_stdout(log),
@@ -25,3 +28,5 @@ def logged(path):
             for stream in (log, sys.__stderr__):
                 print(message, file=stream)
             sys.exit(1)
+        work = time.process_time() - start
+        print(f"processor time: {start:.2f} s to start, {work:.2f} s of work")
