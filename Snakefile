@@ -19,6 +19,7 @@ else:
 include: "workflow/rules/estimates.smk"
 include: "workflow/rules/accuracy.smk"
 include: "workflow/rules/claims.smk"
+include: "workflow/rules/pictures.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/readme.smk"
 include: "workflow/rules/throughput.smk"

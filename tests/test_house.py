@@ -47,6 +47,9 @@ IMPORTS = {
     "evidence": {"accuracy", "claims", "norms"},
     "figures": set(),
     "claim_figures": {"figures"},
+    "render": set(),
+    "views": {"render"},
+    "pictures": {"figures", "norms", "views"},
 }
 
 

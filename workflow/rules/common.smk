@@ -40,6 +40,8 @@ CUTS = [(diagonal, n) for diagonal, n, _ in study.meshes()]
 FULL = [(diagonal, n) for diagonal, n, full in study.meshes() if full]
 MESHES = [(surface, *cut) for surface in SURFACES for cut in CUTS]
 
+FIGURES = study.results / "figures"
+
 # The paper's figures of errors, by quantity: their surfaces.
 PAPER_FIGURES = {
     "K": {"figure-3": "revolution", "figure-5": "teapot_spout"},

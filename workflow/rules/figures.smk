@@ -1,6 +1,5 @@
 # In: the tables. Out: mean absolute error against triangles for all surfaces, with the paper's
-# Figures 3 to 6 among them, SVG and PNG.
-FIGURES = study.results / "figures"
+# Figures 3 to 6 among them, SVG and PNG; and what pictures.smk draws.
 CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in "KH")]
 CLAIM_FIGURES += [f"claim-{number}-readings" for number in range(1, 10)]
 
@@ -25,6 +24,8 @@ rule figures:
             for kind in ("svg", "png")
         ],
         expand(FIGURES / "{figure}.{kind}", figure=CLAIM_FIGURES, kind=["svg", "png"]),
+        rules.pictures.output,
+        rules.error_maps.output,
 
 
 for quantity in "KH":
