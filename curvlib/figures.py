@@ -18,6 +18,7 @@ matplotlib.rcParams.update(
     }
 )
 
+DPI = 200
 UNITS = {"K": "1/length²", "H": "1/length"}
 # What no method can be faster than, by the names in the table of throughput.
 LIMITS = {
@@ -31,7 +32,7 @@ NAMES = {"K": "Gaussian curvature K", "H": "mean curvature H"}
 def save(figure: Figure, path) -> None:
     """Write a figure in the format that the path's suffix names."""
     kind = Path(path).suffix[1:]
-    figure.savefig(path, dpi=200, metadata={"Date": None} if kind == "svg" else None)
+    figure.savefig(path, dpi=DPI, metadata={"Date": None} if kind == "svg" else None)
 
 
 def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Figure:

@@ -56,13 +56,13 @@ def write_rows(path, rows) -> None:
             writer.writerow(row)
 
 
-def read_values(path) -> dict:
-    """(surface, diagonal, n) -> Estimates in the default reading, of `run_estimator`."""
-    results = {}
+def read_values(path, only=None) -> dict:
+    """(surface, diagonal, n) -> Estimates in the default reading, of `run_estimator`; `only` of
+    these keys, else of all that are there."""
     with open_hdf5(path) as file:
-        for surface, diagonals in file.items():
-            for diagonal, resolutions in diagonals.items():
-                for n, group in resolutions.items():
-                    values = (group[quantity][()] for quantity in Estimates._fields)
-                    results[surface, diagonal, int(n)] = Estimates(*values)
-    return results
+        keys = only or [(s, d, int(n)) for s in file for d in file[s] for n in file[s][d]]
+        groups = {key: file["/".join(map(str, key))] for key in keys}
+        return {
+            key: Estimates(*(group[quantity][()] for quantity in Estimates._fields))
+            for key, group in groups.items()
+        }

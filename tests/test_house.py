@@ -48,6 +48,9 @@ IMPORTS = {
     "figures": set(),
     "claim_figures": {"figures"},
     "article": {"errors"},
+    "render": set(),
+    "views": {"render"},
+    "pictures": {"figures", "norms", "views"},
 }
 
 

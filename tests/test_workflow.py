@@ -19,7 +19,8 @@ default_only: []
 vary: []
 product: []
 """
-AGGREGATES = {"accuracy", "claims", "claim_plots", "error_plots_K", "error_plots_H", "all"}
+FIGURES = {"claim_plots", "error_plots_K", "error_plots_H", "error_maps"}
+AGGREGATES = {"accuracy", "claims", *FIGURES, "all"}
 
 
 @pytest.fixture

@@ -6,6 +6,7 @@ Its circles are cubic near-circles (radius +0.41 %): it is no exact surface of r
 from ._shapes import teapot
 
 LABEL = "Teapot body"
+UP = "y"
 
 
 def build():

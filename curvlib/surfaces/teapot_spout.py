@@ -6,6 +6,8 @@ The two meet with a common normal only: K jumps by up to 17.5 at u = 1.
 from ._shapes import teapot
 
 LABEL = "Teapot spout"
+UP = "y"
+CLOSE_UP = ((1, 2), (0, 2))
 
 
 def build():

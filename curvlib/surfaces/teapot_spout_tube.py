@@ -6,6 +6,7 @@ from . import teapot_spout
 from ._shapes import nurbs
 
 LABEL = "Teapot spout, tube only"
+UP = "y"
 
 
 def build():

@@ -48,6 +48,8 @@ CUTS = [(diagonal, n) for diagonal, n, _ in study.meshes()]
 FULL = [(diagonal, n) for diagonal, n, full in study.meshes() if full]
 MESHES = [(surface, *cut) for surface in SURFACES for cut in CUTS]
 
+FIGURES = study.results / "figures"
+
 # The paper's figures of errors, by quantity: their surfaces.
 PAPER_FIGURES = {
     "K": {"figure-3": "revolution", "figure-5": "teapot_spout"},
@@ -97,9 +99,8 @@ def tabled(table):
 
 def drawn(figures, question, kinds=("svg", "png")):
     """Files of figures, those of the first kind for the report."""
-    folder = study.results / "figures"
-    others = [folder / f"{figure}.{kind}" for kind in kinds[1:] for figure in figures]
-    return [reported(folder / f"{f}.{kinds[0]}", question, f) for f in figures] + others
+    others = [FIGURES / f"{figure}.{kind}" for kind in kinds[1:] for figure in figures]
+    return [reported(FIGURES / f"{f}.{kinds[0]}", question, f) for f in figures] + others
 
 
 def error_figures(quantity):

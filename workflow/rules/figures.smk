@@ -1,5 +1,5 @@
 # In: the tables. Out: mean absolute error against triangles for all surfaces, with the paper's
-# Figures 3 to 6 among them, SVG and PNG.
+# Figures 3 to 6 among them, SVG and PNG; and what pictures.smk draws.
 CLAIM_FIGURES = ["claims", *(f"readings-claim-{number}" for number in range(1, 10))]
 CLAIM_FIGURES += [f"{what}-{q}" for what in ("ranks", "rings") for q in "KH"]
 ERROR_FIGURES = [figure for quantity in "KH" for figure in error_figures(quantity)]
@@ -21,10 +21,12 @@ RING_CURVES = [
 rule figures:
     input:
         expand(
-            study.results / "figures/{figure}.{kind}",
+            FIGURES / "{figure}.{kind}",
             figure=[*ERROR_FIGURES, *CLAIM_FIGURES],
             kind=["svg", "png"],
         ),
+        rules.pictures.output,
+        rules.error_maps.output,
 
 
 for quantity in "KH":
@@ -44,7 +46,7 @@ for quantity in "KH":
         params:
             quantity=quantity,
             figures=error_figures(quantity),
-            folder=study.results / "figures",
+            folder=FIGURES,
             estimators=ESTIMATORS,
             surfaces=SURFACES,
             code=code("error_plots", *map(estimators.path, study.estimators)),
@@ -68,7 +70,7 @@ rule claim_plots:
     params:
         readings=study.products() or study.all_readings(),
         rings=RING_CURVES,
-        folder=study.results / "figures",
+        folder=FIGURES,
         estimators=ESTIMATORS,
         surfaces=SURFACES,
         code=code("claim_plots", *map(estimators.path, study.estimators)),

@@ -5,7 +5,7 @@
 rule readme:
     input:
         answers=[rules.claims.output.answer, rules.claims.output.words],
-        figure=study.results / "figures/figure-6.svg",
+        figure=FIGURES / "figure-6.svg",
     log:
         study.results / "logs/readme.log",
     conda:

@@ -1,0 +1,66 @@
+# In: the meshes; the estimates. Out: the surfaces and the tessellations of one, the paper's
+# Figures 1 and 2; exact curvature on all surfaces; the errors of the estimates on one.
+from curvlib.claims import SEVEN
+
+# The paper's surfaces first, in its order; the one that it looks at closely, else the first.
+IN_ORDER = [s for s in SEVEN if s in SURFACES] + [s for s in SURFACES if s not in SEVEN]
+LOOKED_AT = "teapot_spout" if "teapot_spout" in SURFACES else IN_ORDER[0]
+GRID = study.diagonals[0]
+
+# Round enough to the eye.
+ROUND = min((n for diagonal, n in CUTS if diagonal == GRID), key=lambda n: abs(n - 64))
+SEEN = [(s, GRID, ROUND) for s in IN_ORDER]
+
+
+PICTURES = [
+    "figure-1",
+    "figure-2",
+    *(f"{what}-{q}" for what in ("curvature", "error-map") for q in "KH"),
+]
+
+
+rule pictures:
+    input:
+        library=LIBRARY,
+    output:
+        surfaces=reported(FIGURES / "figure-1.png", MEASURED_ON, "figure-1"),
+        tessellations=reported(FIGURES / "figure-2.png", MEASURED_ON, "figure-2"),
+        K=reported(FIGURES / "curvature-K.png", MEASURED_ON, "curvature-K"),
+        H=reported(FIGURES / "curvature-H.png", MEASURED_ON, "curvature-H"),
+    log:
+        study.results / "logs/pictures.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        surfaces=SURFACES,
+        numbers={s: number for number, s in enumerate(dict.fromkeys([*SEVEN, *IN_ORDER]), 1)},
+        paper=[mesh for mesh in SEEN if mesh[0] in SEVEN] or SEEN,
+        all=SEEN,
+        tessellations=[(LOOKED_AT, GRID, n) for n in study.resolutions],
+        code=code("pictures", *map(surfaces.path, study.surfaces)),
+    script:
+        "../scripts/pictures.py"
+
+
+rule error_maps:
+    input:
+        library=LIBRARY,
+        values=expand(study.results / "estimates/{estimator}.h5", estimator=ESTIMATORS),
+    output:
+        K=reported(FIGURES / "error-map-K.png", WHERE, "error-map-K"),
+        H=reported(FIGURES / "error-map-H.png", WHERE, "error-map-H"),
+    log:
+        study.results / "logs/error_maps.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        mesh=(LOOKED_AT, GRID, study.resolutions[-1]),
+        surface=SURFACES[LOOKED_AT],
+        estimators=ESTIMATORS,
+        code=code(
+            "error_maps",
+            surfaces.path(SURFACES[LOOKED_AT]),
+            *map(estimators.path, study.estimators),
+        ),
+    script:
+        "../scripts/error_maps.py"

@@ -1,0 +1,20 @@
+"""Draw the surfaces, the tessellations of one of them, and exact curvature."""
+
+from curvlib import pictures
+from curvlib.catalogue import surfaces
+from curvlib.figures import save
+from curvlib.job import logged
+from curvlib.library import load_library
+from curvlib.render import renderer
+
+with logged(snakemake.log[0]):
+    params, output = snakemake.params, snakemake.output
+    library, draw = load_library(*snakemake.input.library), renderer()
+    modules = {name: surfaces.module(file) for name, file in params.surfaces.items()}
+    meshes = dict(library.only(params.all))
+    paper = {key: meshes[key] for key in params.paper}
+    save(pictures.surface_plate(paper, params.numbers, modules, draw), output.surfaces)
+    tessellations = library.only(params.tessellations)
+    save(pictures.tessellation_plate(tessellations, modules, draw), output.tessellations)
+    for quantity in "KH":
+        save(pictures.curvature_map(meshes, quantity, modules, draw), output[quantity])
