@@ -61,7 +61,7 @@ def claims_map(claims, summary, surfaces, modules) -> Figure:
     cells = claims[(claims.reading == "default") & (claims.diagonal == "same")]
     holds = cells.pivot(index="claim", columns="surface", values="holds")[surfaces]
     figure = Figure(figsize=(7.2, 4.2))
-    axes = figure.add_axes((0.47, 0.02, 0.46, 0.8))
+    axes = figure.add_axes((0.47, 0.02, 0.44, 0.75))
     for i, claim in enumerate(holds.index):
         for j, surface in enumerate(surfaces):
             verdict = holds.loc[claim, surface]
