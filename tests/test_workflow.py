@@ -79,6 +79,11 @@ def test_reruns_what_changed_and_nothing_else(study):
     one_core = contents(study.folder)
     assert {"results/tables/errors.csv", "data/library/sphere/sphere.same.008.txt"} <= set(one_core)
     assert "Nothing to be done" in study()
+    study("report")
+    report = (study.folder / "results/report.html").read_text()
+    for text in ("1. Does the paper hold?", "Mean absolute error of the Gaussian curvature K"):
+        assert text in report
+    assert "results/figures/claims.svg" in report
 
     estimator = study.folder / "curvlib/estimators/paraboloid.py"
     replace(estimator, "return 4 * a * c - b * b, a + c", "return 4 * a * c - b * b, (a + c)  # H")

@@ -58,9 +58,9 @@ PAPER_FIGURES = {
 
 # The report is grouped by these.
 HOLDS = "1. Does the paper hold?"
-ERRORS_FALL = "2. How large are the errors, and how fast do they fall?"
-WHERE = "3. Where does each estimator fail?"
-MEASURED_ON = "4. What was it measured on?"
+ERRORS_FALL = "2. How large are errors?"
+WHERE = "3. Where are they?"
+MEASURED_ON = "4. Measured on what?"
 HOW_FAST = "5. How fast is it?"
 
 
