@@ -121,10 +121,11 @@ def _around_zero(values, mesh, scale):
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     areas = np.bincount(mesh.faces.ravel(), np.repeat(areas, 3), len(values))
     order = np.argsort(np.abs(values), kind="stable")[: np.isfinite(values).sum()]
-    covered = np.cumsum(areas[order])
-    typical, limit = np.interp([0.5, COVERED], covered / covered[-1], np.abs(values[order]))
-    if limit <= ROUNDING * scale:
+    sizes, covered = np.abs(values[order]), np.cumsum(areas[order])
+    if not (sizes > ROUNDING * scale).any():
         return AsinhNorm(1, -1, 1), [0]
+    typical, limit = np.interp([0.5, COVERED], covered / covered[-1], sizes)
+    limit = max(limit, sizes[-1] / 1000)  # which is 0 where nearly everything is
     norm = AsinhNorm(max(typical, limit / 1000), -limit, limit)
     middle = float(f"{norm.inverse(0.75):.1g}")
     return norm, [-limit, -middle, 0, middle, limit]

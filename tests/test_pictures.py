@@ -197,6 +197,17 @@ def test_curvature_has_its_colours_and_scales(spout):
     assert set(spout.faces[grey]) == set(np.flatnonzero(np.isnan(spout.K)))
 
 
+@pytest.mark.parametrize("known", [0, 1])
+def test_curvature_that_is_hardly_anywhere(known):
+    m = mesh("cone")
+    m.H = np.where(np.arange(len(m.H)) < known, m.H, np.nan)
+    draw = Recorder()
+    drawn = pictures.curvature_map({("cone", "same", 16): m}, "H", MODULES, draw)
+    assert legend(drawn) == ["no exact value"]
+    coloured = np.ptp(draw.scenes[0].colours, axis=-1) > 0
+    assert set(m.faces[coloured]) == set(range(known))
+
+
 def test_error_map_has_one_scale_and_leaves_out_who_has_no_values():
     cone, draw = mesh("cone"), Recorder()
     nan, inner = np.full(len(cone.H), np.nan), ~cone.boundary
