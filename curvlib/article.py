@@ -14,8 +14,8 @@ def typeset(source, output, results, **values) -> None:
     of the folder `results` in `sys.inputs.results` and each of `values` by its name, as JSON.
     Fonts are those that come with the compiler, so that every machine sets the same pages.
 
-    Raises InputError with the compiler's message where the source is wrong or asks for a value
-    that the results do not have; then nothing is written.
+    Raises InputError where the source is wrong, asks for a value that the results do not have or
+    says what they do not bear out; then nothing is written.
     """
     import typst
 
@@ -30,7 +30,10 @@ def typeset(source, output, results, **values) -> None:
             timestamp=datetime.datetime(1980, 1, 1, tzinfo=datetime.UTC),
         )
     except typst.TypstError as error:
-        raise InputError(f"{source}: {error.diagnostic or error.message}") from None
+        kind, _, sentence = error.message.partition(": ")
+        # What the article itself says in one line; of a mistake in it the compiler shows where.
+        raised = kind in ("panicked with", "assertion failed")
+        raise InputError(f"{source}: {sentence if raised else error.diagnostic}") from None
     Path(output).write_bytes(pdf)
 
 

@@ -231,8 +231,9 @@ def test_a_power_of_ten(shown):
     ],
 )
 def test_what_the_tables_do_not_have_ends_the_build(shown, expression, message):
-    with pytest.raises(InputError, match=re.escape(message)):
+    with pytest.raises(InputError, match=re.escape(message)) as raised:
         shown(expression)
+    assert "\n" not in str(raised.value)
     assert not list(shown.folder.glob("*.pdf"))
 
 
@@ -240,3 +241,8 @@ def test_a_changed_table_changes_the_article(shown):
     path = shown.folder / "tables/errors.csv"
     path.write_text(path.read_text().replace("0.5", "0.7"))
     assert shown('value(error("sphere", "K", "taubin"))') == "0.70"
+
+
+def test_a_mistake_in_the_source_is_shown_where_it_is(shown):
+    with pytest.raises(InputError, match=r"unknown variable: slop[\s\S]*small\.typ:2"):
+        shown('slop("sphere")')
