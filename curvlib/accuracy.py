@@ -33,12 +33,12 @@ def rounding_levels(rows) -> dict:
 
 
 def errors(rows, readings) -> pd.DataFrame:
-    """errors.csv: the rows of every reading; on meshes not `full` those of the default alone.
+    """errors.csv: the rows of every reading; on meshes not `full`, those of readings with `more`.
 
-    `readings`: reading, estimator, variant, counted.
+    `readings`: reading, estimator, variant, counted, more.
     """
     table = readings.merge(rows, on=["estimator", "variant", "counted"])
-    table = table[table.full | (table.reading == "default")]
+    table = table[table.full | table.more]
     first = ["surface", "diagonal", "n", "triangles", "estimator", "reading", "quantity", "norm"]
     table = table.sort_values(first[:3] + first[4:], kind="stable")
     return table[[*first, "value", "vertices", "undefined"]]
@@ -49,10 +49,10 @@ def convergence(rows) -> pd.DataFrame:
 
     `slope` by least squares over all resolutions, with its standard error `stderr` and, by
     leaving out one resolution after the other, `jackknife`; `tail` and `tail_stderr` are slope
-    and standard error over the finest half (at least three). Errors below `rounding` are no
-    part of a fit. Verdicts: `exact` where nothing exceeds rounding, else by `tail`, which is -2
-    for an error of O(h^2): `converges` below -STAGNATION, `diverges` above it, `stagnates`
-    between. Curves of one resolution are left out.
+    and standard error over the finest half (at least three), up to n = `finest`. Errors below
+    `rounding` are no part of a fit. Verdicts: `exact` where at most one exceeds rounding, else
+    by `tail`, which is -2 for an error of O(h^2): `converges` below -STAGNATION, `diverges`
+    above it, `stagnates` between. Curves of one resolution are left out.
     """
     mean = rows[rows.norm == "mean"].sort_values("n")
     rises = mean.assign(rises=mean.groupby(CURVE).value.diff() >= 0).groupby(CURVE).rises.any()
@@ -74,7 +74,9 @@ def convergence(rows) -> pd.DataFrame:
     fits |= zip(("tail", "tail_stderr"), slope_fit(x, y, tail))
     fits["monotone"] = ~rises[by_n.index].to_numpy()
     fits["verdict"] = [verdict(t) if c > 1 else "exact" for t, c in zip(fits["tail"], count)]
-    return curves.assign(**fits, rounding=level)
+    exists = by_n.notna().to_numpy()
+    finest = by_n.columns.to_numpy()[exists.shape[1] - 1 - exists[:, ::-1].argmax(1)]
+    return curves.assign(**fits, finest=finest, rounding=level)
 
 
 def verdict(slope) -> str:
@@ -84,11 +86,14 @@ def verdict(slope) -> str:
     return "converges" if slope < 0 else "diverges"
 
 
-def by_reading(curves, readings) -> pd.DataFrame:
-    """convergence.csv: the curves of every reading."""
-    table = readings.merge(curves, on=["estimator", "variant", "counted"])
+def by_reading(rows, readings) -> pd.DataFrame:
+    """convergence.csv: the curves of every reading, each over the meshes that it was run on."""
+    key = ["estimator", "variant", "counted"]
+    every, full = convergence(rows), convergence(rows[rows.full])
+    more, others = readings[readings.more], readings[~readings.more]
+    table = pd.concat([more.merge(every, on=key), others.merge(full, on=key)])
     first = ["surface", "diagonal", "estimator", "reading", "quantity"]
-    table = table.sort_values(first, kind="stable").drop(columns=["variant", "counted"])
+    table = table.sort_values(first, kind="stable").drop(columns=["variant", "counted", "more"])
     return table[[*first, *table.columns.difference(first, sort=False)]]
 
 

@@ -26,7 +26,7 @@ TIE = 0.02  # errors within 2 % of each other are a tie
 SIMILAR, DIFFERENT = 0.7, 0.5  # Kendall's tau
 QUADRATIC, LINEAR = -1.5, -0.5  # slopes nearer to O(h^2), and to O(h), than to the order below
 
-Claim = namedtuple("Claim", "number section sentence measure holds decide")
+Claim = namedtuple("Claim", "number section sentence measure holds cuts decide")
 Verdict = namedtuple("Verdict", "holds effect evidence")
 CLAIMS = []
 
@@ -48,11 +48,13 @@ class Cell:
     consensus: dict
 
 
-def claim(section, sentence, measure, holds):
-    """Register a predicate: where the paper says what, what is measured, when that holds."""
+def claim(section, sentence, measure, holds, cuts="each"):
+    """Register a predicate: where the paper says what, what is measured, when that holds; `cuts`
+    "all" where it is about uniform meshes and others, so that only all cuts of a surface
+    together can make it true."""
 
     def register(decide):
-        CLAIMS.append(Claim(len(CLAIMS) + 1, section, sentence, measure, holds, decide))
+        CLAIMS.append(Claim(len(CLAIMS) + 1, section, sentence, measure, holds, cuts, decide))
         return decide
 
     return register
@@ -63,6 +65,11 @@ def _ratio(errors, name):
     mine = NINE.index(name)
     others, rivals = np.delete(errors, mine, axis=-1), np.delete(NINE, mine)
     return errors[..., mine] / others.min(-1), rivals[others.argmin(-1)]
+
+
+def chosen(surfaces) -> list:
+    """Those of the SEVEN among `surfaces`, in the paper's order; all of them if there are none."""
+    return [name for name in SEVEN if name in surfaces] or list(dict.fromkeys(surfaces))
 
 
 def _always_best(cell, quantity, name):
@@ -77,7 +84,7 @@ def _always_best(cell, quantity, name):
     )
 
 
-BEST = f"true: at most 1 + {TIE} at every n; undecided: only at the finest"
+BEST = f"true: at most 1 + {TIE} at every n; undecided: at the finest, but not at every n"
 
 
 @claim(
@@ -136,7 +143,8 @@ def both_converge(cell):
 def others_do_not(cell):
     favourites = {("K", "gauss_bonnet"), ("H", "paraboloid")}
     others = [key for key in cell.curve if key not in favourites]
-    idle = sorted(f"{name} ({q})" for q, name in others if not _converging(cell.curve[q, name]))
+    moving = ("converges", "exact")
+    idle = sorted(f"{name} ({q})" for q, name in others if cell.curve[q, name][2] not in moving)
     return Verdict(bool(idle), len(idle), f"{len(idle)} of {len(others)}: " + ", ".join(idle))
 
 
@@ -144,7 +152,7 @@ def others_do_not(cell):
     "4",
     "Paraboloid fitting is always second for K, a stride behind Gauss-Bonnet.",
     "rank of paraboloid by mean error of K at the finest n",
-    "true: 2 at every n; undecided: at the finest, not at all",
+    "true: 2 at every n; undecided: at the finest, but not at every n",
 )
 def second_for_K(cell):
     rank = ranks(cell.mean["K"])[:, NINE.index("paraboloid")]
@@ -168,7 +176,8 @@ def second_for_K(cell):
 def similar_everywhere(cell):
     tau = {q: kendall(ranks(cell.mean[q][-1]), cell.consensus[q]) for q in "KH"}
     least = min(tau.values())
-    holds = least >= SIMILAR or (None if least >= DIFFERENT else False)
+    # No tau: there are no other models, or all of them tie.
+    holds = least >= SIMILAR or (False if least < DIFFERENT else None)
     return Verdict(holds, least, f"tau {tau['K']:.2f} for K, {tau['H']:.2f} for H")
 
 
@@ -177,7 +186,8 @@ def similar_everywhere(cell):
     "Paraboloid fitting has an O(h^2) error on non-uniform meshes too; Gauss-Bonnet has O(h^2) on "
     "uniform ones, else O(h).",
     "how far the slopes for K miss -1.5 (O(h^2)) or -0.5 (O(h)), the worse of the two",
-    "true: both reached; undecided: within twice its standard error",
+    "true: both reached in all cuts of a surface; undecided: within twice its standard error",
+    cuts="all",
 )
 def orders(cell):
     uniform = cell.diagonal in ("same", "valence-6-regular")
@@ -217,10 +227,6 @@ def _slopes(cell, wanted):
         near = abs(tail - limit) <= 2 * np.nan_to_num(stderr)
         verdicts.append(None if near or np.isnan(tail) else bool(tail < limit))
     return Verdict(_all(verdicts), max(missed, default=np.nan), "; ".join(words))
-
-
-def _converging(curve):
-    return curve[2] in ("converges", "exact")
 
 
 def _all(verdicts):

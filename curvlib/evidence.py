@@ -3,21 +3,22 @@
 import numpy as np
 import pandas as pd
 
-from .accuracy import rounding_levels, slope_fit, verdict
-from .claims import CLAIMS, NINE, SEVEN, Cell, orders, ranks
+from .accuracy import convergence, rounding_levels, slope_fit, verdict
+from .claims import CLAIMS, NINE, SEVEN, Cell, chosen, orders, ranks
 from .norms import VERTICES
 
 NOISE_SIGMA = 0.01
+TOGETHER = "all"  # in place of a diagonal
 
 
 class Evidence:
     """The tables as look-ups, from which any reading's cells are put together.
 
-    `rows`, `curves`: of `accuracy.by_variant` and `accuracy.convergence`; `noise`: of `trials`;
-    `rings`: of `ring_slopes`. Estimates are shared: a reading only names its variants.
+    `rows`: of `accuracy.by_variant`; `noise`: of `trials`; `rings`: of `ring_slopes`. Estimates
+    are shared: a reading only names its variants.
     """
 
-    def __init__(self, rows, curves, noise, rings):
+    def __init__(self, rows, noise, rings):
         self.levels = rounding_levels(rows)
         full = rows[rows.full]
         self.resolutions = np.sort(full.n.unique())
@@ -27,7 +28,10 @@ class Evidence:
         self.errors = dict(zip(by_n.index, by_n.fillna(np.inf).to_numpy()))
         fits = ["tail", "tail_stderr", "verdict"]
         place = ["surface", "diagonal", "counted"]
-        self.curves = _fits(curves, place, fits)
+        # By whether a reading was run on more meshes than the full ones.
+        self.curves = {
+            more: _fits(convergence(r), place, fits) for more, r in ((True, rows), (False, full))
+        }
         noise = noise[noise.sigma == NOISE_SIGMA]
         noise = noise.set_index(["surface", "quantity", "estimator", "variant"]).value
         self.noise = dict(noise)
@@ -38,14 +42,14 @@ class Evidence:
 
     def decide(self, reading: pd.DataFrame):
         """Yield rows of claims.csv for one reading, its rows of readings.csv."""
-        counted, name = reading.counted.iloc[0], reading.reading.iloc[0]
+        counted, name, more = reading[["counted", "reading", "more"]].iloc[0]
         variants = dict(zip(reading.estimator, reading.variant))
         errors = {place: self._errors(*place, counted, variants) for place in self.places}
         for (surface, diagonal), found in errors.items():
             peers = [errors[s, diagonal] for s in SEVEN if s != surface and (s, diagonal) in errors]
-            consensus = {
-                q: np.mean([ranks(peer[q, "mean"][-1]) for peer in peers], axis=0) for q in "KH"
-            }
+            places = {q: [ranks(peer[q, "mean"][-1]) for peer in peers] for q in "KH"}
+            alone = np.full(len(NINE), np.nan)
+            consensus = {q: np.mean(p, axis=0) if p else alone for q, p in places.items()}
             noise = {q: self._noise(surface, q, variants) for q in "KH"}
             cell = Cell(
                 diagonal,
@@ -53,7 +57,7 @@ class Evidence:
                 mean={q: found[q, "mean"] for q in "KH"},
                 finest={key: values[-1] for key, values in found.items()},
                 noise=noise,
-                curve=self._curves((surface, diagonal, counted), variants, self.curves),
+                curve=self._curves((surface, diagonal, counted), variants, self.curves[more]),
                 consensus=consensus,
             )
             for claim in CLAIMS:
@@ -115,20 +119,30 @@ def ring_slopes(rings: pd.DataFrame) -> pd.DataFrame:
     return by_h.index.to_frame(index=False).assign(**fits)
 
 
+def verdicts(decided: pd.DataFrame, diagonal: str, reading: str = "default") -> pd.DataFrame:
+    """Claims against surfaces: whether each holds there, in one reading, as cut by `diagonal` or,
+    where the claim is about them, in all cuts together."""
+    here = _of_claims(decided[decided.reading == reading])
+    here = here[here.diagonal.isin([diagonal, TOGETHER])]
+    return here.pivot(index="claim", columns="surface", values="holds")
+
+
 def summary(decided: pd.DataFrame, named, singles, diagonals) -> pd.DataFrame:
-    """claims-summary.csv: each claim in words, how it fares on the SEVEN in the `named` readings
-    on the first diagonal, which of the `singles` readings or diagonals turns it over, and on how
-    many surfaces at most it is true in any reading and cut, with the first such."""
-    seven = decided[decided.surface.isin(SEVEN)]
+    """claims-summary.csv: each claim in words, how it fares on the paper's surfaces in the `named`
+    readings on the first diagonal, which of the `singles` readings or diagonals turns it over,
+    and on how many surfaces at most it is true in any reading and cut, with the first such."""
+    on_surfaces = decided[decided.diagonal.isin(diagonals)]
+    surfaces = chosen(on_surfaces.surface)
+    seven = _of_claims(on_surfaces[on_surfaces.surface.isin(surfaces)])
     rows = []
     for claim in CLAIMS:
         here = seven[seven.claim == claim.number]
-        at_first = here[here.diagonal == diagonals[0]]
+        at_first = here[here.diagonal.isin([diagonals[0], TOGETHER])]
         readings = {r: outcome(x) for r, x in at_first.groupby("reading")}
         cuts = {d: outcome(x) for d, x in here[here.reading == "default"].groupby("diagonal")}
         default = readings["default"]
         turned = [r for r in singles if stands(readings[r]) != stands(default)]
-        turned += [f"diagonal={d}" for d in diagonals if stands(cuts[d]) != stands(default)]
+        turned += [f"diagonal={d}" for d, o in cuts.items() if stands(o) != stands(default)]
         every = here.groupby(["reading", "diagonal"], sort=False).holds
         most = every.agg(lambda holds: (holds == "true").sum())
         reading, diagonal = most.idxmax()
@@ -151,6 +165,17 @@ def summary(decided: pd.DataFrame, named, singles, diagonals) -> pd.DataFrame:
             }
         )
     return pd.DataFrame(rows)
+
+
+def _of_claims(cells):
+    """The cells that count: those of a claim about all cuts of a surface are put together, false
+    if it is false in one of them, else undecided if it is that in one."""
+    about_all = [claim.number for claim in CLAIMS if claim.cuts == "all"]
+    apart, joined = cells[~cells.claim.isin(about_all)], cells[cells.claim.isin(about_all)]
+    worst = pd.Categorical(joined.holds, ["true", "undecided", "false"], ordered=True)
+    key = ["claim", "surface", "reading"]
+    joined = joined.assign(holds=worst).groupby(key, sort=False).holds.max().astype(str)
+    return pd.concat([apart, joined.reset_index().assign(diagonal=TOGETHER)])
 
 
 def outcome(cells) -> str:

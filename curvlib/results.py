@@ -9,14 +9,14 @@ from .norms import counted_vertices, error_rows, largest_curvature
 
 
 def run_estimator(
-    estimator: str, variants: dict, meshes, surfaces: dict, full, output, **attributes
+    estimator: str, variants: dict, more, meshes, surfaces: dict, full, output, **attributes
 ):
     """Run an estimator on meshes; write `output.values` and `output.errors`, whole or not at all.
 
     `variants`: options by key, the default's first. `meshes`: (surface, diagonal, n) -> Mesh.
     `surfaces`: Surface by name. `full`: the (diagonal, n) on which every variant is run; on
-    others it is the default alone. The values (HDF5: /<surface>/<diagonal>/<n>/K and H) are
-    those of the default on the full ones; the errors (CSV) those of every variant and choice of
+    others it is those in `more`. The values (HDF5: /<surface>/<diagonal>/<n>/K and H) are those
+    of the default on the full ones; the errors (CSV) those of every variant and choice of
     vertices.
     """
     import h5py
@@ -26,7 +26,7 @@ def run_estimator(
     def rows():
         for (surface, diagonal, n), mesh in meshes.items():
             is_full = (diagonal, n) in full
-            chosen = variants if is_full else {default: variants[default]}
+            chosen = variants if is_full else {key: variants[key] for key in more}
             mesh_labels = {"surface": surface, "diagonal": diagonal, "n": n}
             mesh_labels |= {"triangles": len(mesh.faces), "largest_k": largest_curvature(mesh)}
             choices = counted_vertices(mesh, surfaces[surface])

@@ -24,8 +24,9 @@ class Study:
     estimators: list
     resolutions: list
     diagonals: list
-    default_only: list
+    more: list
     readings: dict
+    more_readings: list
     vary: list
     product: list
     library: Path
@@ -40,11 +41,12 @@ class Study:
             object.__setattr__(self, key, getattr(self, f"_{key}")(config[key]))
 
     def meshes(self) -> list[tuple]:
-        """(diagonal, n, whether all readings are run on it) of every mesh of a surface."""
+        """(diagonal, n, whether all readings are run on it) of every mesh of a surface; on the
+        others it is those of `more_readings`."""
         every = list(itertools.product(self.diagonals, self.resolutions))
         more = [
             mesh
-            for block in self.default_only
+            for block in self.more
             for mesh in itertools.product(block["diagonals"], block["resolutions"])
         ]
         return [(*m, True) for m in every] + [(*m, False) for m in more if m not in every]
@@ -99,6 +101,11 @@ class Study:
         chosen = (self.options(estimator, reading) for reading in every)
         return {variant(options): options for options in chosen}
 
+    def more_variants(self, estimator: str) -> list[str]:
+        """The keys of those variants that are run on every mesh."""
+        chosen = (self.options(estimator, self.readings[name]) for name in self.more_readings)
+        return list(dict.fromkeys(map(variant, chosen)))
+
     def _surfaces(self, value):
         return _names("surfaces", value, surfaces)
 
@@ -115,15 +122,13 @@ class Study:
             check_cut(diagonal, f"config: {where}")
         return list(dict.fromkeys(value))
 
-    def _default_only(self, value):
+    def _more(self, value):
         keys = ("diagonals", "resolutions")
         for block in value:
             if not isinstance(block, dict) or sorted(block) != sorted(keys):
-                raise InputError(
-                    f"config: default_only: {block!r} needs exactly {' and '.join(keys)}"
-                )
+                raise InputError(f"config: more: {block!r} needs exactly {' and '.join(keys)}")
         return [
-            {key: getattr(self, f"_{key}")(block[key], f"default_only: {key}") for key in keys}
+            {key: getattr(self, f"_{key}")(block[key], f"more: {key}") for key in keys}
             for block in value
         ]
 
@@ -136,6 +141,13 @@ class Study:
                 check_name("option", option, valid, f"config: reading {name!r}")
                 check_name(option, chosen, valid[option], f"config: reading {name!r}")
         return {name: choices or {} for name, choices in value.items()}
+
+    def _more_readings(self, value):
+        for name in _list("more_readings", value):
+            check_name("reading", name, self.readings, "config: more_readings")
+        if "default" not in value:
+            raise InputError("config: more_readings has to hold 'default'")
+        return value
 
     def _vary(self, value, where="vary"):
         for option in value:

@@ -103,7 +103,8 @@ def test_ties_at_rounding_level_share_a_rank():
 
 def test_readings_share_variants():
     """A reading has the rows of the variants that it names; without poles counts the same where
-    there are none; on meshes that are not full there is the default alone."""
+    there are none; on meshes that are not full, and in slopes, it has those only if it is one
+    of `more`."""
     tables = [
         variants([4, 2, 1], estimator="a"),
         variants([3, 2, 1], estimator="b"),
@@ -112,7 +113,7 @@ def test_readings_share_variants():
     rows = accuracy.by_variant(tables, {("same", 8), ("same", 16)})
     readings = pd.DataFrame(
         [
-            {"reading": r, "estimator": e, "variant": v, "counted": c}
+            {"reading": r, "estimator": e, "variant": v, "counted": c, "more": r == "default"}
             for r, e, v, c in (
                 ("default", "a", "-", "interior"),
                 ("default", "b", "-", "interior"),
@@ -127,5 +128,7 @@ def test_readings_share_variants():
     assert table["default", "a"].tolist() == [4, 2, 1]
     assert table["other", "a"].tolist() == [4, 2]
     assert table["other", "b"].tolist() == [9, 9]
-    curves = accuracy.by_reading(accuracy.convergence(rows), readings)
-    assert set(curves.reading[curves.estimator == "a"]) == {"default", "other"}
+    curves = accuracy.by_reading(rows, readings).set_index(["estimator", "reading"])
+    assert curves.finest["a"].to_dict() == {"default": 32, "other": 16}
+    assert curves.finest["b", "other"] == 16
+    assert curves.slope["b", "other"] == 0

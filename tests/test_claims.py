@@ -249,6 +249,13 @@ def test_summary_counts_and_finds_what_turns_a_claim_over():
     table = evidence.summary(
         pd.DataFrame(rows), ["default", "likely-run"], ["loose"], ["same", "alternate", "random-1"]
     )
+    # A claim about all cuts together is no truer on a surface than in the worst of them.
+    about_all = table[table.claim == 8].iloc[0]
+    assert about_all["default"] == "3 (+1) of 7"
+    assert (about_all.cells, about_all.most) == (21, 7)
+    assert about_all.turned_over_by == "loose" or about_all.turned_over_by == ""
+    verdicts = evidence.verdicts(pd.DataFrame(rows), "same")
+    assert (verdicts == "true").sum(axis=1).to_dict() == dict.fromkeys(range(1, 10), 5) | {8: 3}
     row = table.iloc[0]
     assert row["default"] == "5 (+1) of 7"
     assert row["likely-run"] == "7 of 7"

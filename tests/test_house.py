@@ -111,8 +111,9 @@ def config(tmp_path):
         "estimators": ["gauss_bonnet", "watanabe_b", "watanabe"],
         "resolutions": [12, 8, 8],
         "diagonals": ["same", "random-1"],
-        "default_only": [{"diagonals": ["same"], "resolutions": [12, 64]}],
+        "more": [{"diagonals": ["same"], "resolutions": [12, 64]}],
         "readings": {"default": {}, "half": {"area": "half"}},
+        "more_readings": ["default", "half"],
         "vary": ["area", "normal", "vertices"],
         "product": ["area", "dihedral"],
         "library": str(tmp_path),
@@ -125,6 +126,22 @@ def test_a_folder_that_cannot_be_written_to(config, monkeypatch):
     monkeypatch.setattr(os, "access", lambda path, mode: False)
     with pytest.raises(curvlib.InputError, match="cannot be written to"):
         Study(config)
+
+
+def test_readings_of_more_meshes(config):
+    study = Study(config)
+    assert study.more_variants("gauss_bonnet") == [
+        "area=third,dihedral=signed",
+        "area=half,dihedral=signed",
+    ]
+    assert study.more_variants("watanabe_b") == ["normal=uniform"]
+    for wrong, message in (
+        (["default", "hlaf"], "did you mean 'half'"),
+        (["half"], "has to hold 'default'"),
+        ("default", "has to be a list"),
+    ):
+        with pytest.raises(curvlib.InputError, match=message):
+            Study(config | {"more_readings": wrong})
 
 
 def test_study_shares_what_readings_have_in_common(config):

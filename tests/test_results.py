@@ -26,7 +26,8 @@ def run(meshes, folder):
     """Watanabe B in two variants, both on n = 8 alone."""
     output = SimpleNamespace(values=folder / "e.h5", errors=folder / "e.csv")
     surfaces = {name: curvlib.surface(name) for name in NAMES}
-    run_estimator("watanabe_b", VARIANTS, meshes, surfaces, {("same", 8)}, output, code="x")
+    more = ["normal=uniform"]
+    run_estimator("watanabe_b", VARIANTS, more, meshes, surfaces, {("same", 8)}, output, code="x")
     return output
 
 

@@ -15,7 +15,7 @@ surfaces: [sphere, teapot_spout]
 estimators: [gauss_bonnet, paraboloid]
 resolutions: [8, 12]
 diagonals: [same]
-default_only: []
+more: []
 vary: []
 product: []
 """
@@ -110,7 +110,7 @@ def test_reruns_what_changed_and_nothing_else(study):
 
 def test_a_new_file_is_all_it_takes(study):
     """An estimator and a surface join by lying in their folders, where the config says `all`."""
-    (study.folder / "all.yaml").write_text("resolutions: [8]\ndefault_only: []\nproduct: []")
+    (study.folder / "all.yaml").write_text("resolutions: [8]\nmore: []\nproduct: []")
     before = rules(study("--dry-run", config="all.yaml"))
     files = study.folder / "curvlib"
     shutil.copy(files / "estimators/watanabe_b.py", files / "estimators/mine.py")
@@ -139,7 +139,7 @@ def test_a_new_file_is_all_it_takes(study):
         ("diagonals: [shortst]", "unknown diagonal 'shortst'; did you mean 'shortest'?"),
         ("reading: {}", "unknown key 'reading'; did you mean 'readings'?"),
         ("diagonals: [same-1]", "a seed is a number, after random or jittered alone"),
-        ("default_only: [{diagonals: [same]}]", "needs exactly diagonals and resolutions"),
+        ("more: [{diagonals: [same]}]", "needs exactly diagonals and resolutions"),
         ("readings: {a: {are: half}}", "unknown option 'are'; did you mean 'area'?"),
         (
             "readings: {a: {area: halv}}",

@@ -41,6 +41,7 @@ THE_STUDY = (
 # Files outside the package are known to the rules by their stems.
 SURFACES = {Path(name).stem: name for name in study.surfaces}
 ESTIMATORS = {Path(name).stem: name for name in study.estimators}
+MODULES = [*map(estimators.path, study.estimators), *map(surfaces.path, study.surfaces)]
 
 
 # How the study cuts each surface: all of it, and where all readings are run; and its meshes.
@@ -65,13 +66,14 @@ HOW_FAST = "5. How fast is it?"
 
 
 def reading_rows(readings):
-    """Rows reading, estimator, variant, counted: what each reading means."""
+    """Rows reading, estimator, variant, counted, more: what each reading means."""
     return [
         {
             "reading": name,
             "estimator": stem,
             "variant": variant(study.options(file, reading)),
             "counted": reading.get("vertices", VERTICES[0]),
+            "more": name in study.more_readings,
         }
         for name, reading in readings.items()
         for stem, file in ESTIMATORS.items()
@@ -82,8 +84,11 @@ def caption(figure):
     """The caption file of a figure: its own or that of its kind, `error-K` for `error-K-cone`."""
     parts = figure.split("-")
     kinds = ("-".join(parts[:n]) for n in range(len(parts), 0, -1))
-    files = (Path(workflow.basedir, f"workflow/report/{kind}.rst") for kind in kinds)
-    return str(next(file for file in files if file.exists()))
+    files = [Path(workflow.basedir, f"workflow/report/{kind}.rst") for kind in kinds]
+    for file in files:
+        if file.exists():
+            return str(file)
+    sys.exit(f"error: figure {figure!r} has no caption: write {files[0]}")
 
 
 def reported(file, question, name):

@@ -22,9 +22,14 @@ rule estimate:
         meshes=MESHES,
         estimator=lambda wildcards: ESTIMATORS[wildcards.estimator],
         variants=lambda wildcards: study.variants(ESTIMATORS[wildcards.estimator]),
+        more=lambda wildcards: study.more_variants(ESTIMATORS[wildcards.estimator]),
         surfaces=SURFACES,
         full=FULL,
-        code=lambda wildcards: code("estimate", estimators.path(ESTIMATORS[wildcards.estimator])),
+        code=lambda wildcards: code(
+            "estimate",
+            estimators.path(ESTIMATORS[wildcards.estimator]),
+            *map(surfaces.path, study.surfaces),
+        ),
     script:
         "../scripts/estimate.py"
 

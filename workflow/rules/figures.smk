@@ -1,6 +1,8 @@
 # In: the tables. Out: mean absolute error against triangles for all surfaces, with the paper's
 # Figures 3 to 6 among them, SVG and PNG; and what pictures.smk draws.
-CLAIM_FIGURES = ["claims", *(f"readings-claim-{number}" for number in range(1, 10))]
+from curvlib.claims import CLAIMS
+
+CLAIM_FIGURES = ["claims", *(f"readings-claim-{number}" for number in range(1, len(CLAIMS) + 1))]
 CLAIM_FIGURES += [f"{what}-{q}" for what in ("ranks", "rings") for q in "KH"]
 ERROR_FIGURES = [figure for quantity in "KH" for figure in error_figures(quantity)]
 
@@ -49,7 +51,7 @@ for quantity in "KH":
             folder=FIGURES,
             estimators=ESTIMATORS,
             surfaces=SURFACES,
-            code=code("error_plots", *map(estimators.path, study.estimators)),
+            code=code("error_plots", *MODULES),
         script:
             "../scripts/error_plots.py"
 
@@ -73,6 +75,6 @@ rule claim_plots:
         folder=FIGURES,
         estimators=ESTIMATORS,
         surfaces=SURFACES,
-        code=code("claim_plots", *map(estimators.path, study.estimators)),
+        code=code("claim_plots", *MODULES),
     script:
         "../scripts/claim_plots.py"

@@ -34,6 +34,6 @@ rule paper:
             "resolutions": study.resolutions,
             "cuts": study.diagonals,
         },
-        code=code("paper", *map(estimators.path, study.estimators)),
+        code=code("paper", *MODULES),
     script:
         "../scripts/paper.py"

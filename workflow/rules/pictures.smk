@@ -7,6 +7,9 @@ IN_ORDER = [s for s in SEVEN if s in SURFACES] + [s for s in SURFACES if s not i
 LOOKED_AT = "teapot_spout" if "teapot_spout" in SURFACES else IN_ORDER[0]
 GRID = study.diagonals[0]
 
+# Pictures have other bytes by another renderer.
+RENDERER = os.environ.get("CURVLIB_RENDERER", "")
+
 # Round enough to the eye.
 ROUND = min((n for diagonal, n in CUTS if diagonal == GRID), key=lambda n: abs(n - 64))
 SEEN = [(s, GRID, ROUND) for s in IN_ORDER]
@@ -32,6 +35,7 @@ rule pictures:
     conda:
         "../envs/curvlib.yaml"
     params:
+        renderer=RENDERER,
         surfaces=SURFACES,
         numbers={s: number for number, s in enumerate(dict.fromkeys([*SEVEN, *IN_ORDER]), 1)},
         paper=[mesh for mesh in SEEN if mesh[0] in SEVEN] or SEEN,
@@ -54,6 +58,7 @@ rule error_maps:
     conda:
         "../envs/curvlib.yaml"
     params:
+        renderer=RENDERER,
         mesh=(LOOKED_AT, GRID, study.resolutions[-1]),
         surface=SURFACES[LOOKED_AT],
         estimators=ESTIMATORS,

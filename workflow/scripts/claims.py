@@ -13,7 +13,7 @@ with logged(snakemake.log[0]):
     noise, rings = (pd.concat(map(pd.read_csv, files)) for files in (inputs.noise, inputs.rings))
     slopes = evidence.ring_slopes(rings)
     slopes.to_csv(output.rings, index=False)
-    found = evidence.Evidence(rows, accuracy.convergence(rows), noise, slopes)
+    found = evidence.Evidence(rows, noise, slopes)
     readings = pd.DataFrame(params.readings).groupby("reading", sort=False)
     claims = pd.DataFrame(row for _, reading in readings for row in found.decide(reading))
     claims.to_csv(output.claims, index=False)

@@ -10,6 +10,7 @@ with logged(snakemake.log[0]):
     run_estimator(
         params.estimator,
         params.variants,
+        params.more,
         load_library(*snakemake.input.library).only(params.meshes),
         {name: load(file) for name, file in params.surfaces.items()},
         params.full,
