@@ -307,18 +307,6 @@ def test_options_of_several_have_to_be_known_to_each(sphere):
         curvlib.estimate(sphere, ["taubin", "gauss_bonnet"], normal="area")
 
 
-@pytest.mark.parametrize("n", [3, 4, 6, 9, 50])
-def test_sum_of_angles_counts_turns(n):
-    """Flat, pointed and folded rings: the angles multiplied as complex numbers add up."""
-    rng = np.random.default_rng(n)
-    around = np.cumsum(rng.uniform(0.1, 1, (n, 300)), axis=0)
-    around *= 2 * np.pi / around[-1]
-    height = rng.uniform(-1, 1, (n, 300)) * np.linspace(0, 3, 300)
-    ring = Ring(np.array([np.cos(around), np.sin(around), height]))
-    np.testing.assert_allclose(ring.sum_of_alpha, ring.alpha.sum(0), rtol=1e-13)
-    np.testing.assert_allclose(ring.sum_of_alpha[0], 2 * np.pi, rtol=1e-13)
-
-
 def test_rings_of_broken_meshes_are_those_of_a_plain_walk():
     """Turned, doubled, missing, degenerate and stray faces, vertex by vertex."""
     rng = np.random.default_rng(8)
