@@ -18,6 +18,9 @@ Estimates.__doc__ = """Pointwise estimates K and H, (V,) float64 each; NaN where
 # Ring slots (valence times vertices) per chunk: some dozens of arrays of 512 KiB stay in cache,
 # and Python's own time and its lock between threads do not count.
 CHUNK = 65536
+# Having seen a block of this size freed, glibc's malloc takes no more of such a size from the
+# system and gives none back: every temporary array would otherwise be new pages, to be zeroed.
+np.empty(31 << 20, dtype=np.uint8)
 
 
 def readings(estimator: str) -> dict[str, tuple]:

@@ -33,7 +33,8 @@ def least_squares(columns, z):
 
     # |det R| / |R|^3 bounds the smallest singular value over the largest from below: only
     # where that bound is too weak do singular values have to be looked at.
-    weak = ~(np.abs(R[0, 0] * R[1, 1] * R[2, 2]) > CUTOFF * (R * R).sum((0, 1)) ** 1.5)
+    squares = np.einsum("ijm,ijm->m", R, R)
+    weak = ~(np.abs(R[0, 0] * R[1, 1] * R[2, 2]) > CUTOFF * squares * np.sqrt(squares))
     with np.errstate(divide="ignore", invalid="ignore"):
         x2 = y[2] / R[2, 2]
         x1 = (y[1] - R[1, 2] * x2) / R[1, 1]

@@ -11,7 +11,6 @@ import curvlib
 from curvlib.catalogue import estimators as catalogue
 from curvlib.claims import NINE as PAPER
 from curvlib.estimation import readings
-from curvlib.ring import Ring
 from curvlib.throughput import torus
 
 ESTIMATORS = curvlib.estimators()

@@ -40,7 +40,9 @@ def estimate(ring, normal: Normal = "uniform", pairs: Pairs = "opposite"):
     kn *= 2 / (square.take(i) + square.take(j) - 2 * scalar)
     scale = np.where(use, 1 / (txx + tyy), 0)
     columns = (use, scale * (txx - tyy), scale * (2 * tx * ty))
-    A, B, C = least_squares(columns, np.where(use, kn, 0))
+    kn = np.where(use, kn, 0)
+    kn[0, ~use[0]] = np.nan  # no pair at all
+    A, B, C = least_squares(columns, kn)
     return A * A - B * B - C * C, A
 
 
@@ -74,7 +76,7 @@ def _chosen(i, j, cosine, n, pairs):
         limit = math.radians(int(pairs.removeprefix("above-"))) + TIE
         use = cosine < math.cos(limit)
     for _ in range(CIRCLES):
-        few = use.sum(0) < CIRCLES
+        few = use.sum(0, dtype=np.min_scalar_type(len(use))) < CIRCLES
         if not few.any():
             break
         rest = np.where(use, np.inf, cosine)
@@ -85,21 +87,17 @@ def _chosen(i, j, cosine, n, pairs):
 def _used(use, i, j):
     """The used pairs alone, in as many rows as the ring with most of them has.
 
-    Returns (rows, m) each: whether a row is used, where its pair is in (pairs, m), and where its
-    v_i and v_j are in (n, m). A ring without pairs gets one of v_0 with itself, which is NaN.
+    Returns (rows, m) each: whether a row is used, where its pair is in the flat (pairs, m), and
+    where its v_i and v_j are in the flat (n, m).
     """
     m = use.shape[1]
-    pair, ring = np.nonzero(use)
-    row = use.cumsum(0, dtype=np.int32)[use] - 1
-    rows = (row.max(initial=0) + 1, m)
-    used = np.zeros(rows, dtype=bool)
-    used[0] = True
-    used[row, ring] = True
-    places = np.zeros((3, *rows), dtype=np.intp)
-    places[:, 0] = np.arange(m)
-    for place, slot in zip(places, (pair, i[pair], j[pair])):
-        place[row, ring] = slot * m + ring
-    return used, *places
+    count = use.cumsum(0, dtype=np.min_scalar_type(len(use)))
+    places = np.flatnonzero(use)
+    pairs = np.full((max(1, count[-1].max()), m), -1)
+    pairs.ravel()[(count.take(places) - np.intp(1)) * m + places % m] = places
+    used = pairs >= 0
+    pair = np.maximum(pairs, 0, out=pairs) // m
+    return used, pairs, *(((k - np.arange(len(k))) * m).take(pair) + pairs for k in (i, j))
 
 
 def _ties(cosine):
