@@ -143,21 +143,8 @@ class Ring:
 
     @_once_per_normal
     def projected(self, normal: Normal):
-        """(x, y) of the canonical form, (2, n, m): along T_i of (3.23), not of length one.
-
-        The frame is that of Duff et al. 2017, Building an orthonormal basis, revisited (JCGT 6,
-        1), in fewer products: the z axis, turned over or not, is rotated to N_v.
-        """
-        N = self.normal(normal)
-        sign = np.copysign(1.0, N[2])
-        along = np.multiply(self.e[2], sign)
-        along -= self.depth(normal)
-        along /= 1 + np.abs(N[2])
-        xy = np.empty((2, *along.shape))
-        for axis in range(2):
-            np.subtract(self.e[axis], np.multiply(along, N[axis], out=xy[axis]), out=xy[axis])
-        xy[1] *= sign
-        return xy
+        """(x, y) of the canonical form, (2, n, m): along T_i of (3.23), not of length one."""
+        return np.stack([dot(self.e, axis) for axis in _tangents(self.normal(normal))])
 
     def canonical(self, normal: Normal):
         """(x, y, z), each (n, m): the neighbours with v at the origin and -N_v along the z axis.
@@ -172,3 +159,16 @@ class Ring:
         """Normal curvature towards each v_i (3.16), (n, m); positive where the surface bends
         away from its normal."""
         return 2 * self.depth(normal) / self._squares
+
+
+def _tangents(N):
+    """Two unit vectors that with N (3, m) make a right-handed frame.
+
+    Duff et al. 2017, Building an orthonormal basis, revisited (JCGT 6, 1).
+    """
+    sign = np.copysign(1.0, N[2])
+    a = -1 / (sign + N[2])
+    b = N[0] * N[1] * a
+    X = np.stack((1 + sign * N[0] * N[0] * a, sign * b, -sign * N[0]))
+    Y = np.stack((b, sign + N[1] * N[1] * a, -N[1]))
+    return X, Y

@@ -26,9 +26,9 @@ def cross(a, b):
 
 
 def angle(x, y):
-    """Angle of (x, y) from the x axis in [-pi, pi]: arctan2(y, x) in half its time, but NaN at
-    the origin."""
+    """Angle of (x, y) from the x axis in (-pi, pi]: arctan2(y, x) in half its time, but NaN at
+    the origin and pi where y = -0.0."""
     out = np.arctan(y / x)
-    behind = x < 0
-    out[behind] += np.copysign(np.pi, y[behind])
+    behind = np.signbit(x)
+    out[behind] += np.copysign(np.pi, y[behind] + 0.0)
     return out

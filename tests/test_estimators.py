@@ -11,7 +11,9 @@ import curvlib
 from curvlib.catalogue import estimators as catalogue
 from curvlib.claims import NINE as PAPER
 from curvlib.estimation import readings
+from curvlib.ring import Ring
 from curvlib.throughput import torus
+from curvlib.vectors import angle
 
 ESTIMATORS = curvlib.estimators()
 
@@ -323,6 +325,54 @@ def test_rings_of_broken_meshes_are_those_of_a_plain_walk():
         }
         expected = {v: reference.ring_of(faces[(faces == v).any(1)], v) for v in range(count)}
         assert found == {v: ring for v, ring in expected.items() if ring is not None}
+
+
+@pytest.mark.parametrize("name", PAPER)
+def test_an_undefined_ring_leaves_the_others_alone(name):
+    """Rings of one batch, of which some have no normal or two vertices in one place."""
+    rng = np.random.default_rng(4)
+    around = 2 * np.pi * (np.arange(7)[:, None] + rng.uniform(-0.3, 0.3, (7, 50))) / 7
+    e = np.array([np.cos(around), np.sin(around), rng.uniform(-0.3, 0.1, (7, 50))])
+    up = np.tile([[0.0], [0], [1]], 50)
+    function, options = catalogue.module(name).estimate, {}
+    if "normal" in readings(name):
+        options["normal"] = "exact"
+    expected = np.array(function(Ring(e, up), **options))
+    e[:, 3, 0], up[:, 10], e[:, :, 20] = 0, np.nan, np.nan
+    with np.errstate(divide="ignore", invalid="ignore"):
+        found = np.array(function(Ring(e, up), **options))
+    others = ~np.isin(np.arange(50), (0, 10, 20))
+    np.testing.assert_allclose(found[:, others], expected[:, others], rtol=1e-13)
+
+
+def test_angle_is_an_arctangent_of_two():
+    """In all quadrants, on the axes and for zeros of both signs, but half a turn is positive."""
+    rng = np.random.default_rng(2)
+    axes = np.array(list(itertools.product((1.0, -1, 0.0, -0.0), repeat=2)))
+    x, y = np.vstack((rng.normal(size=(1000, 2)), axes[(axes != 0).any(1)])).T
+    np.testing.assert_allclose(angle(x, y), np.arctan2(y + 0.0, x), rtol=1e-15, atol=0)
+    assert np.isnan(angle(np.zeros(1), np.zeros(1))).all()
+
+
+@pytest.mark.parametrize("n", [3, 63, 64, 200, 10000])
+def test_a_high_valence(n):
+    """A pyramid whose faces come in any order: the ring of its apex, and values there."""
+    rng = np.random.default_rng(n)
+    around = 2 * np.pi * np.arange(n) / n
+    rim = np.column_stack((np.cos(around), np.sin(around), 0 * around))
+    vertices = np.vstack((rim, [[0, 0, 0.1]]))
+    k = np.arange(n)
+    faces = rng.permutation(np.column_stack((k, (k + 1) % n, np.full(n, n))))
+    mesh = curvlib.Mesh(vertices, faces)
+    ((apex, ring),) = mesh.rings
+    np.testing.assert_array_equal(apex, [n])
+    np.testing.assert_array_equal((ring[:, 0] - ring[0, 0]) % n, k)
+    found = curvlib.estimate(mesh, "watanabe_b")
+    assert found.H[n] == pytest.approx(2 * 0.1 / 1.01)
+    torn = np.delete(faces, 1, axis=0)
+    assert curvlib.Mesh(vertices, torn).rings == []
+    torn[0] = torn[1]
+    assert curvlib.Mesh(vertices, torn).rings == []
 
 
 @pytest.mark.parametrize("name", PAPER)

@@ -96,7 +96,7 @@ def _used(use, i, j):
     pairs = np.full((max(1, count[-1].max()), m), -1)
     pairs.ravel()[(count.take(places) - np.intp(1)) * m + places % m] = places
     used = pairs >= 0
-    pair = np.maximum(pairs, 0, out=pairs) // m
+    pair = np.maximum(pairs, np.arange(m), out=pairs) // m  # unused: a place in its own ring
     return used, pairs, *(((k - np.arange(len(k))) * m).take(pair) + pairs for k in (i, j))
 
 
