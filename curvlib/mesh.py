@@ -159,7 +159,7 @@ def _walk(corners):
     """Neighbours (n, m) in the order of a walk around each vertex, and (m,) bool whether it came
     by all n corners (n, m) and back."""
     n, m = corners.shape
-    here, there = np.moveaxis(corners.view(np.int32).reshape(n, m, 2), -1, 0).copy()
+    here, there = corners.view(np.int32).reshape(n, m, 2).transpose(2, 0, 1).copy()
     after, closed = (_compared if n < SORTED else _sorted)(here, there)
     # From slots of each column to places in the whole array.
     after = after * np.intp(m)

@@ -41,7 +41,7 @@ def estimate(ring, normal: Normal = "uniform", pairs: Pairs = "opposite"):
     scale = np.where(use, 1 / (txx + tyy), 0)
     columns = (use, scale * (txx - tyy), scale * (2 * tx * ty))
     kn = np.where(use, kn, 0)
-    kn[0, ~use[0]] = np.nan  # no pair at all
+    kn[:, ~use.any(0)] = np.nan
     A, B, C = least_squares(columns, kn)
     return A * A - B * B - C * C, A
 
@@ -92,11 +92,17 @@ def _used(use, i, j):
     """
     m = use.shape[1]
     count = use.cumsum(0, dtype=np.min_scalar_type(len(use)))
-    places = np.flatnonzero(use)
-    pairs = np.full((max(1, count[-1].max()), m), -1)
-    pairs.ravel()[(count.take(places) - np.intp(1)) * m + places % m] = places
-    used = pairs >= 0
-    pair = np.maximum(pairs, np.arange(m), out=pairs) // m  # unused: a place in its own ring
+    rows = max(1, count[-1].max())
+    same = np.flatnonzero(use.any(1))
+    if len(same) == rows:  # the same pairs in all rings
+        used, pairs = use[same], same[:, None] * m + np.arange(m)
+    else:
+        places = np.flatnonzero(use)
+        pairs = np.full((rows, m), -1)
+        pairs.ravel()[(count.take(places) - np.intp(1)) * m + places % m] = places
+        used = pairs >= 0
+        np.maximum(pairs, np.arange(m), out=pairs)  # unused: a place in its own ring
+    pair = pairs // m
     return used, pairs, *(((k - np.arange(len(k))) * m).take(pair) + pairs for k in (i, j))
 
 
