@@ -141,16 +141,11 @@ class Mesh:
         from scipy.sparse import csr_array
 
         count = len(self.faces)
-        others = np.empty((count, 3, 2), dtype=np.int32)
-        for corner in range(3):
-            others[:, corner, 0] = self.faces[:, (corner + 1) % 3]
-            others[:, corner, 1] = self.faces[:, (corner + 2) % 3]
-        # Its conversion to columns is a counting sort, of half as much memory by int32 indices.
-        rows = (
-            others.view(np.int64).ravel(),
-            self.faces.ravel().astype(np.int32),
-            np.arange(0, 3 * count + 1, 3, dtype=np.int32),
-        )
+        faces = self.faces.astype(np.int32)
+        others = faces.take((1, 2, 2, 0, 0, 1), axis=1).view(np.int64)
+        # Its conversion to columns is a counting sort, by int32 indices twice as fast.
+        indptr = np.arange(0, 3 * count + 1, 3, dtype=np.int32)
+        rows = (others.ravel(), faces.ravel(), indptr)
         columns = csr_array(rows, shape=(count, len(self.vertices))).tocsc()
         return columns.indptr, columns.data
 
