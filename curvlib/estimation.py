@@ -18,6 +18,9 @@ Estimates.__doc__ = """Pointwise estimates K and H, (V,) float64 each; NaN where
 # Ring slots (valence times vertices) per chunk: some dozens of arrays of 512 KiB stay in cache,
 # and Python's own time and its lock between threads do not count.
 CHUNK = 65536
+# Having seen a block of this size freed, glibc's malloc takes no more of such a size from the
+# system and gives none back: every temporary array would otherwise be new pages, to be zeroed.
+np.empty(31 << 20, dtype=np.uint8)
 
 
 def readings(estimator: str) -> dict[str, tuple]:
@@ -86,13 +89,14 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     with ThreadPoolExecutor(threads) as pool:
         # A thread to wait for is what a small mesh would spend most of its time on.
         apply = pool.map if threads > 1 else map
-        list(apply(work, _chunks(mesh) if of_ring else ()))
+        if of_ring:
+            list(apply(work, _chunks(mesh.find_rings(apply))))
     return results if several else results[estimator]
 
 
-def _chunks(mesh):
-    """Yield (vertices (m,), neighbours (n, m)) over all closed one-rings."""
-    for vertices, neighbours in mesh.rings:
+def _chunks(rings):
+    """Yield (vertices (m,), neighbours (n, m)) over closed one-rings in batches."""
+    for vertices, neighbours in rings:
         step = max(1, CHUNK // len(neighbours))
         for start in range(0, len(vertices), step):
             yield vertices[start : start + step], neighbours[:, start : start + step]

@@ -23,17 +23,18 @@ def least_squares(columns, z):
     product = np.empty_like(rest[0])
     for i in range(3):
         q = rest[i]
-        np.multiply(q, q, out=product).sum(0, out=R[i, i])
-        np.sqrt(R[i, i], out=R[i, i])
+        np.sqrt(np.einsum("rm,rm->m", q, q), out=R[i, i])
         q /= np.where(R[i, i] > 0, R[i, i], 1)
         for j in range(i + 1, 4):
-            np.multiply(q, rest[j], out=product).sum(0, out=R[i, j])
-            rest[j] -= np.multiply(R[i, j], q, out=product)
+            np.einsum("rm,rm->m", q, rest[j], out=R[i, j])
+            if i < 2:  # what then is left of z is asked for no more
+                rest[j] -= np.multiply(R[i, j], q, out=product)
     R, y = R[:, :3], R[:, 3]
 
     # |det R| / |R|^3 bounds the smallest singular value over the largest from below: only
     # where that bound is too weak do singular values have to be looked at.
-    weak = ~(np.abs(R[0, 0] * R[1, 1] * R[2, 2]) > CUTOFF * (R * R).sum((0, 1)) ** 1.5)
+    squares = np.einsum("ijm,ijm->m", R, R)
+    weak = ~(np.abs(R[0, 0] * R[1, 1] * R[2, 2]) > CUTOFF * squares * np.sqrt(squares))
     with np.errstate(divide="ignore", invalid="ignore"):
         x2 = y[2] / R[2, 2]
         x1 = (y[1] - R[1, 2] * x2) / R[1, 1]

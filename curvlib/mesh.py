@@ -8,6 +8,8 @@ from .errors import InputError
 
 # Corners per chunk of the walk around vertices: a few arrays of 256 KiB stay in cache.
 CHUNK = 65536
+# From this valence on neighbours are matched by sorting: at most 256, since slots are bytes.
+SORTED = 64
 
 # Exact values that a mesh can carry, with the shape behind V.
 FIELDS = {
@@ -98,23 +100,39 @@ class Mesh:
         Neighbours run counter-clockwise. Vertices whose triangles do not close to exactly one
         cycle are in no batch.
         """
+        return self.find_rings()
+
+    def find_rings(self, apply=map):
+        """`rings`, by an `apply` that may call the function on several chunks at a time."""
+        if "rings" in self.__dict__:
+            return self.rings
         first, corners = self._corners()
         valence = np.diff(first)
-        batches = []
+        batches, todo = [], []
         for n in np.flatnonzero(np.bincount(valence)):
+            if n < 3:
+                continue
             vertices = np.flatnonzero(valence == n)
             neighbours = np.empty((n, len(vertices)), dtype=np.intp)
-            closed = np.full(len(vertices), n >= 3)
-            step = max(1, CHUNK // max(n, 1))
-            for start in range(0, len(vertices) if n >= 3 else 0, step):
+            closed = np.empty(len(vertices), dtype=bool)
+            batches.append((vertices, neighbours, closed))
+            step = max(1, CHUNK // n)
+            for start in range(0, len(vertices), step):
                 part = slice(start, start + step)
-                at_v = corners.take(first[vertices[part]] + np.arange(n)[:, None])
-                neighbours[:, part], closed[part] = _walk(at_v)
-            if not closed.all():
-                vertices, neighbours = vertices[closed], neighbours[:, closed]
-            if len(vertices):
-                batches.append((vertices, neighbours))
-        return batches
+                todo.append((first[vertices[part]], neighbours[:, part], closed[part]))
+
+        def walk(chunk):
+            at, neighbours, closed = chunk
+            at_v = corners.take(at + np.arange(len(neighbours))[:, None])
+            neighbours[:], closed[:] = _walk(at_v)
+
+        list(apply(walk, todo))
+        self.__dict__["rings"] = [
+            (vertices, neighbours) if closed.all() else (vertices[closed], neighbours[:, closed])
+            for vertices, neighbours, closed in batches
+            if closed.any()
+        ]
+        return self.rings
 
     def _corners(self):
         """Where each vertex's corners begin (V + 1,), and the corners (3 F,), vertex by vertex:
@@ -123,32 +141,56 @@ class Mesh:
         from scipy.sparse import csr_array
 
         count = len(self.faces)
-        i, j, k = self.faces.T.astype(np.int32)
-        others = np.stack((j, k, k, i, i, j), axis=-1).view(np.int64)
-        # Its conversion to columns is a counting sort.
-        rows = (others.ravel(), self.faces.ravel(), np.arange(0, 3 * count + 1, 3))
+        faces = self.faces.astype(np.int32)
+        others = faces.take((1, 2, 2, 0, 0, 1), axis=1).view(np.int64)
+        # Its conversion to columns is a counting sort, by int32 indices twice as fast.
+        indptr = np.arange(0, 3 * count + 1, 3, dtype=np.int32)
+        rows = (others.ravel(), faces.ravel(), indptr)
         columns = csr_array(rows, shape=(count, len(self.vertices))).tocsc()
         return columns.indptr, columns.data
 
 
 def _walk(corners):
     """Neighbours (n, m) in the order of a walk around each vertex, and (m,) bool whether it came
-    by all n corners (n, m) and back.
+    by all n corners (n, m) and back."""
+    n, m = corners.shape
+    here, there = corners.view(np.int32).reshape(n, m, 2).transpose(2, 0, 1).copy()
+    after, closed = (_compared if n < SORTED else _sorted)(here, there)
+    # From slots of each column to places in the whole array.
+    after = after * np.intp(m)
+    after += np.arange(m)
+    walk = np.empty((n, m), dtype=np.intp)
+    walk[0] = start = np.arange(m)
+    for k in range(1, n):
+        after.take(walk[k - 1], out=walk[k], mode="clip")
+        closed &= walk[k] != start
+    closed &= after.take(walk[-1]) == start
+    return here.take(walk), closed
 
-    Each of its steps compares all n corners, which up to some hundreds is less work than to sort
-    them.
+
+def _compared(here, there):
+    """The slot of `here` (n, m) where each of `there` (n, m) is found in the same column, the
+    last if there are several, and (m,) bool whether all are found.
+
+    All are compared with all, in bytes.
     """
-    here, there = np.moveaxis(corners.view(np.int32).reshape(*corners.shape, 2), -1, 0).copy()
-    neighbours = np.empty(corners.shape, dtype=np.intp)
-    visits = np.zeros_like(there)
-    there += 1  # so that a step without a corner leads to -1, where no step starts
-    at = here[0]
-    for neighbour in neighbours:
-        neighbour[:] = at
-        found = here == at
-        visits += found
-        at = (found * there).sum(0, dtype=np.int32) - 1
-    return neighbours, (visits == 1).all(0) & (at == here[0])
+    after = np.zeros(here.shape, dtype=np.uint8)
+    found = np.empty(here.shape, dtype=bool)
+    slot = found.view(np.uint8)
+    for k, vertex in enumerate(here):
+        np.equal(there, vertex, out=found)
+        slot *= np.uint8(k + 1)
+        np.maximum(after, slot, out=after)
+    return after - np.intp(1), (after > 0).all(0)
+
+
+def _sorted(here, there):
+    """As `_compared`, in less time where n is large: the sorted ones are the same."""
+    by_here, by_there = here.argsort(0), there.argsort(0)
+    after = np.empty_like(by_here)
+    np.put_along_axis(after, by_there, by_here, 0)
+    same = np.take_along_axis(here, by_here, 0) == np.take_along_axis(there, by_there, 0)
+    return after, same.all(0)
 
 
 def as_mesh(obj) -> Mesh:

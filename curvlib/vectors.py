@@ -5,7 +5,10 @@ import numpy as np
 
 def dot(a, b):
     """a . b, shape (...)."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    out = a[0] * b[0]
+    for k in (1, 2):
+        out += a[k] * b[k]
+    return out
 
 
 def norm(a):
@@ -17,5 +20,15 @@ def cross(a, b):
     """a x b, shape (3, ...)."""
     out = np.empty(np.broadcast_shapes(a.shape, b.shape))
     for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
-        np.subtract(a[i] * b[j], a[j] * b[i], out=out[k, ...])
+        np.multiply(a[i], b[j], out=out[k, ...])
+        out[k, ...] -= a[j] * b[i]
+    return out
+
+
+def angle(x, y):
+    """Angle of (x, y) from the x axis in (-pi, pi]: arctan2(y, x) in half its time, but NaN at
+    the origin and pi where y = -0.0."""
+    out = np.arctan(y / x)
+    behind = np.signbit(x)
+    out[behind] += np.copysign(np.pi, y[behind] + 0.0)
     return out

@@ -13,6 +13,7 @@ from curvlib.claims import NINE as PAPER
 from curvlib.estimation import readings
 from curvlib.ring import Ring
 from curvlib.throughput import torus
+from curvlib.vectors import angle
 
 ESTIMATORS = curvlib.estimators()
 
@@ -307,18 +308,6 @@ def test_options_of_several_have_to_be_known_to_each(sphere):
         curvlib.estimate(sphere, ["taubin", "gauss_bonnet"], normal="area")
 
 
-@pytest.mark.parametrize("n", [3, 4, 6, 9, 50])
-def test_sum_of_angles_counts_turns(n):
-    """Flat, pointed and folded rings: the angles multiplied as complex numbers add up."""
-    rng = np.random.default_rng(n)
-    around = np.cumsum(rng.uniform(0.1, 1, (n, 300)), axis=0)
-    around *= 2 * np.pi / around[-1]
-    height = rng.uniform(-1, 1, (n, 300)) * np.linspace(0, 3, 300)
-    ring = Ring(np.array([np.cos(around), np.sin(around), height]))
-    np.testing.assert_allclose(ring.sum_of_alpha, ring.alpha.sum(0), rtol=1e-13)
-    np.testing.assert_allclose(ring.sum_of_alpha[0], 2 * np.pi, rtol=1e-13)
-
-
 def test_rings_of_broken_meshes_are_those_of_a_plain_walk():
     """Turned, doubled, missing, degenerate and stray faces, vertex by vertex."""
     rng = np.random.default_rng(8)
@@ -336,6 +325,55 @@ def test_rings_of_broken_meshes_are_those_of_a_plain_walk():
         }
         expected = {v: reference.ring_of(faces[(faces == v).any(1)], v) for v in range(count)}
         assert found == {v: ring for v, ring in expected.items() if ring is not None}
+
+
+@pytest.mark.parametrize("name", PAPER)
+def test_an_undefined_ring_leaves_the_others_alone(name):
+    """Rings of one batch, of which some have no normal or two vertices in one place."""
+    rng = np.random.default_rng(4)
+    around = 2 * np.pi * (np.arange(7)[:, None] + rng.uniform(-0.3, 0.3, (7, 50))) / 7
+    e = np.array([np.cos(around), np.sin(around), rng.uniform(-0.3, 0.1, (7, 50))])
+    up = np.tile([[0.0], [0], [1]], 50)
+    function, options = catalogue.module(name).estimate, {}
+    if "normal" in readings(name):
+        options["normal"] = "exact"
+    expected = np.array(function(Ring(e, up), **options))
+    e[:, 3, 0], up[:, 10], e[:, :, 20] = 0, np.nan, np.nan
+    with np.errstate(divide="ignore", invalid="ignore"):
+        found = np.array(function(Ring(e, up), **options))
+    others = ~np.isin(np.arange(50), (0, 10, 20))
+    np.testing.assert_allclose(found[:, others], expected[:, others], rtol=1e-13)
+
+
+def test_angle_is_an_arctangent_of_two():
+    """In all quadrants, on the axes and for zeros of both signs, but half a turn is positive."""
+    rng = np.random.default_rng(2)
+    axes = np.array(list(itertools.product((1.0, -1, 0.0, -0.0), repeat=2)))
+    x, y = np.vstack((rng.normal(size=(1000, 2)), axes[(axes != 0).any(1)])).T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        np.testing.assert_allclose(angle(x, y), np.arctan2(y + 0.0, x), rtol=1e-15, atol=0)
+        assert np.isnan(angle(np.zeros(1), np.zeros(1))).all()
+
+
+@pytest.mark.parametrize("n", [3, 63, 64, 200, 10000])
+def test_a_high_valence(n):
+    """A pyramid whose faces come in any order: the ring of its apex, and values there."""
+    rng = np.random.default_rng(n)
+    around = 2 * np.pi * np.arange(n) / n
+    rim = np.column_stack((np.cos(around), np.sin(around), 0 * around))
+    vertices = np.vstack((rim, [[0, 0, 0.1]]))
+    k = np.arange(n)
+    faces = rng.permutation(np.column_stack((k, (k + 1) % n, np.full(n, n))))
+    mesh = curvlib.Mesh(vertices, faces)
+    ((apex, ring),) = mesh.rings
+    np.testing.assert_array_equal(apex, [n])
+    np.testing.assert_array_equal((ring[:, 0] - ring[0, 0]) % n, k)
+    found = curvlib.estimate(mesh, "watanabe_b")
+    assert found.H[n] == pytest.approx(2 * 0.1 / 1.01)
+    torn = np.delete(faces, 1, axis=0)
+    assert curvlib.Mesh(vertices, torn).rings == []
+    torn[0] = torn[1]
+    assert curvlib.Mesh(vertices, torn).rings == []
 
 
 @pytest.mark.parametrize("name", PAPER)

@@ -32,7 +32,7 @@ def from_tensor(weights, kn, along, principal: Principal):
     xx, xy, yy = along[0] * along[0], along[0] * along[1], along[1] * along[1]
     w = weights * kn / (xx + yy)
     total = weights.sum(0)
-    m11, m12, m22 = ((w * tt).sum(0) / total for tt in (xx, xy, yy))
+    m11, m12, m22 = (np.einsum("nm,nm->m", w, tt) / total for tt in (xx, xy, yy))
     t, d = m11 + m22, m11 * m22 - m12 * m12
     if principal == "as-printed":
         k1 = t + 2 * np.hypot(m11 - m22, 2 * m12)

@@ -3,9 +3,8 @@
 import math
 from typing import Literal
 
-import numpy as np
-
 from curvlib.ring import Normal, following, preceding
+from curvlib.vectors import angle
 
 LABEL = "Watanabe-Belyaev"
 STYLE = {"color": "#009E73", "marker": "^", "linestyle": "-"}
@@ -37,4 +36,4 @@ def _between(along):
     """
     (x, y), (x1, y1) = along, following(along)
     # In the canonical frame, seen along -N, the ring runs counter-clockwise about N.
-    return np.arctan2(x * y1 - y * x1, x * x1 + y * y1)
+    return angle(x * x1 + y * y1, x * y1 - y * x1)
