@@ -69,7 +69,8 @@ def _ratio(errors, name):
 
 def chosen(surfaces) -> list:
     """Those of the SEVEN among `surfaces`, in the paper's order; all of them if there are none."""
-    return [name for name in SEVEN if name in surfaces] or list(dict.fromkeys(surfaces))
+    present = dict.fromkeys(surfaces)
+    return [name for name in SEVEN if name in present] or list(present)
 
 
 def _always_best(cell, quantity, name):

@@ -32,7 +32,7 @@ rule paper:
             "surfaces": SEVEN,
             "estimators": NINE,
             "resolutions": study.resolutions,
-            "cuts": study.diagonals,
+            "cuts": list(dict.fromkeys(diagonal for diagonal, _ in CUTS)),
         },
         code=code("paper", *MODULES),
     script:
