@@ -9,24 +9,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-NINE = [
-    "circular",
-    "gauss_bonnet",
-    "paraboloid",
-    "taubin",
-    "taubin_a",
-    "taubin_b",
-    "watanabe",
-    "watanabe_a",
-    "watanabe_b",
-]
+NINE = ["circular", "gauss_bonnet", "paraboloid", "taubin", "taubin_a", "taubin_b"]
+NINE += ["watanabe", "watanabe_a", "watanabe_b"]
 SEVEN = ["cylinder", "cone", "sphere", "revolution", "teapot_body", "teapot_spout", "ellipsoid"]
 
 TIE = 0.02  # errors within 2 % of each other are a tie
 SIMILAR, DIFFERENT = 0.7, 0.5  # Kendall's tau
 QUADRATIC, LINEAR = -1.5, -0.5  # slopes nearer to O(h^2), and to O(h), than to the order below
 
-Claim = namedtuple("Claim", "number section sentence measure holds cuts decide")
+Claim = namedtuple("Claim", "number section sentence measure limit holds cuts decide")
 Verdict = namedtuple("Verdict", "holds effect evidence")
 CLAIMS = []
 
@@ -48,13 +39,14 @@ class Cell:
     consensus: dict
 
 
-def claim(section, sentence, measure, holds, cuts="each"):
-    """Register a predicate: where the paper says what, what is measured, when that holds; `cuts`
-    "all" where it is about uniform meshes and others, so that only all cuts of a surface
-    together can make it true."""
+def claim(section, sentence, measure, limit, holds, cuts="each"):
+    """Register a predicate: where the paper says what, what is measured, at which value the claim
+    turns, when it holds; `cuts` "all" where only all cuts of a surface together make it true."""
 
     def register(decide):
-        CLAIMS.append(Claim(len(CLAIMS) + 1, section, sentence, measure, holds, cuts, decide))
+        CLAIMS.append(
+            Claim(len(CLAIMS) + 1, section, sentence, measure, limit, holds, cuts, decide)
+        )
         return decide
 
     return register
@@ -92,6 +84,7 @@ BEST = f"true: at most 1 + {TIE} at every n; undecided: at the finest, but not a
     "4, 5",
     "The Gauss-Bonnet scheme is the best of the nine for K, always.",
     "mean error of K, Gauss-Bonnet over the best other",
+    1,
     BEST,
 )
 def best_for_K(cell):
@@ -102,6 +95,7 @@ def best_for_K(cell):
     "4, 5",
     "Paraboloid fitting is the best of the nine for H, always.",
     "mean error of |H|, paraboloid over the best other",
+    1,
     BEST,
 )
 def best_for_H(cell):
@@ -112,6 +106,7 @@ def best_for_H(cell):
     "4",
     "K and H want different algorithms: Gauss-Bonnet for K with paraboloid for H is the best pair.",
     "the larger of the ratios of claims 1 and 2",
+    1,
     "true, false or undecided as claims 1 and 2 together",
 )
 def best_pair(cell):
@@ -129,6 +124,7 @@ def best_pair(cell):
     "4",
     "Gauss-Bonnet for K and paraboloid fitting for H converge on every model.",
     "the flatter of the two slopes of log(mean error) over log(n), finest half",
+    LINEAR,
     "true: both at most -0.5; undecided: within twice its standard error of that",
 )
 def both_converge(cell):
@@ -139,6 +135,7 @@ def both_converge(cell):
     "4",
     "Not every other scheme converges.",
     "how many of the other sixteen (eight for K, eight for H) stagnate or diverge",
+    1,
     "true: at least one",
 )
 def others_do_not(cell):
@@ -153,6 +150,7 @@ def others_do_not(cell):
     "4",
     "Paraboloid fitting is always second for K, a stride behind Gauss-Bonnet.",
     "rank of paraboloid by mean error of K at the finest n",
+    2,
     "true: 2 at every n; undecided: at the finest, but not at every n",
 )
 def second_for_K(cell):
@@ -172,6 +170,7 @@ def second_for_K(cell):
     "The ranking is similar on all seven models.",
     "Kendall's tau between the ranking here and the mean ranking on the other models, the smaller "
     "of K and H",
+    SIMILAR,
     f"true: at least {SIMILAR}; false: below {DIFFERENT}",
 )
 def similar_everywhere(cell):
@@ -187,6 +186,7 @@ def similar_everywhere(cell):
     "Paraboloid fitting has an O(h^2) error on non-uniform meshes too; Gauss-Bonnet has O(h^2) on "
     "uniform ones, else O(h).",
     "how far the slopes for K miss -1.5 (O(h^2)) or -0.5 (O(h)), the worse of the two",
+    0,
     "true: both reached in all cuts of a surface; undecided: within twice its standard error",
     cuts="all",
 )
@@ -201,6 +201,7 @@ def orders(cell):
     "Paraboloid fitting is the most stable method.",
     "mean rank of paraboloid by the 95 % quantile and the largest error, and under noise of 1 % "
     "of an edge, for K and H",
+    1,
     "true: best (or tied) in all six; undecided: in at least three",
 )
 def most_stable(cell):

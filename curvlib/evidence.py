@@ -153,6 +153,7 @@ def summary(decided: pd.DataFrame, named, singles, diagonals) -> pd.DataFrame:
                 "section": claim.section,
                 "sentence": claim.sentence,
                 "measure": claim.measure,
+                "limit": claim.limit,
                 "holds_if": claim.holds,
                 **{reading: readings[reading] for reading in named},
                 "cells": len(here),

@@ -80,6 +80,18 @@ class Study:
         names = (",".join(f"{k}={v}" for k, v in c.items()) for c in combinations)
         return dict(zip(names, combinations)) if self.product else {}
 
+    def shown_readings(self) -> dict[str, dict]:
+        """The readings that are set against each other: all products, and the named readings in
+        the same options; without products all of the tables."""
+        if not self.product:
+            return self.all_readings()
+        default = {option: self.choices()[option][0] for option in self.product}
+        named = {
+            name: {option: reading.get(option, default[option]) for option in self.product}
+            for name, reading in self.readings.items()
+        }
+        return self.products() | named
+
     def changes(self, reading: dict) -> bool:
         """Whether a reading differs from the default one."""
         default = {name: self.options(name, {}) for name in self.estimators}

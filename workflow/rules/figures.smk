@@ -70,7 +70,9 @@ rule claim_plots:
     conda:
         "../envs/curvlib.yaml"
     params:
-        readings=study.products() or study.all_readings(),
+        readings=study.shown_readings(),
+        diagonal=study.diagonals[0],
+        n=study.resolutions[-1],
         rings=RING_CURVES,
         folder=FIGURES,
         estimators=ESTIMATORS,
