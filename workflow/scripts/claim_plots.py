@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from curvlib import claim_figures, figures
+from curvlib import claim_figures, evidence, figures
 from curvlib.catalogue import estimators, surfaces
 from curvlib.claims import SEVEN
 from curvlib.job import logged
@@ -15,12 +15,14 @@ with logged(snakemake.log[0]):
     modules = {name: estimators.module(file) for name, file in params.estimators.items()}
     modules |= {name: surfaces.module(file) for name, file in params.surfaces.items()}
     shown = [name for name in SEVEN if name in set(claims.surface)]
-    drawn = {"claims": claim_figures.claims_map(claims, summary, shown, modules)}
+    verdicts = evidence.verdicts(claims, summary)[shown]
+    drawn = {"claims": claim_figures.claims_map(verdicts, summary, modules)}
     for claim in summary.itertuples():
         curve = claim_figures.specification_curve(claims, params.readings, claim, shown)
         drawn[f"readings-claim-{claim.claim}"] = curve
+    finest = max(params.resolutions)
     for quantity in "KH":
-        drawn[f"ranks-{quantity}"] = figures.rank_plot(ranks, quantity, shown, modules)
+        drawn[f"ranks-{quantity}"] = figures.rank_plot(ranks, quantity, shown, modules, finest)
         drawn[f"rings-{quantity}"] = claim_figures.rings_plot(rings, slopes, params.rings, quantity)
     for name, figure in drawn.items():
         for kind in ("svg", "png"):
