@@ -229,9 +229,9 @@ def _lines(words, most):
     """Words in as few lines of at most `most` letters as hold them, all about as long; powers and
     signs as printed."""
     words = words.replace("^2", "²").replace(" -", " \N{MINUS SIGN}")
-    fewest = len(wrap(words, most, break_long_words=False))
-    tries = (wrap(words, width, break_long_words=False) for width in range(1, most + 1))
-    return "\n".join(next(lines for lines in tries if len(lines) == fewest))
+    whole = {"break_long_words": False, "break_on_hyphens": False}
+    tries = [wrap(words, width, **whole) for width in range(1, most + 1)]
+    return "\n".join(next(lines for lines in tries if len(lines) == len(tries[-1])))
 
 
 def _options(readings):

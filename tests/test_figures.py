@@ -63,8 +63,7 @@ def test_no_line_leads_to_what_is_rounding(tables):
 
 def test_the_guide_is_as_steep_as_second_order(tables):
     (axes,) = figures.error_plot(*tables, "sphere", "K", MODULES).axes
-    (guide,) = (line for line in axes.lines if line.get_label() == "_guide")
-    (x0, y0), (x1, y1) = guide.get_xydata()
+    [((x0, y0), (x1, y1))] = [g.get_xydata() for g in axes.lines if g.get_label() == "_guide"]
     assert np.log(y1 / y0) / np.log(x1 / x0) == pytest.approx(-1), "-2 in n"
     assert "O(h²)" in texts(axes)
 
@@ -110,7 +109,7 @@ def curve(limit=None, marked=None, scale=1.0):
         {"claim": 1, "surface": s, "diagonal": d, "reading": r, "holds": h, "effect": scale * x}
         for r, (verdicts, effects) in cases.items()
         for s, h, x in zip(SURFACES, verdicts, effects)
-        for d in ("same", "random-1")
+        for d in ("same", "shortest")
     )
     claim = SimpleNamespace(claim=1, sentence="It is O(h^2).", measure="a ratio to -1")
     return claim_figures.specification_curve(claims, READINGS, claim, SURFACES, limit, marked)
@@ -129,7 +128,7 @@ def test_specification_curve_has_a_point_and_its_choices_per_reading():
     np.testing.assert_allclose(bars[0], [0.45, 0.55])
     np.testing.assert_allclose(bars[4], [3.5, 6.0])
     rows = [t.get_text() for t in below.get_yticklabels()]
-    assert rows == ["cut: random-1", "cut: same", "a: 1", "a: 2", "a: 3"]
+    assert rows == ["cut: same", "cut: shortest", "a: 1", "a: 2", "a: 3"]
     made = [[segment[0, 0] for segment in row.get_segments()] for row in below.collections]
     assert made[2:] == [[4, 5], [0, 1], [2, 3]]
     assert above.get_title(loc="left") == "1. It is O(h²)."
@@ -152,9 +151,9 @@ def test_specification_curve_marks_what_is_shown_of_the_marked():
     above, below = curve(marked={"a=3": "likely run", "a=9": "absent", "a=1": "default"}).axes
     assert texts(above) == ["likely run", "default"]
     circles = [line.get_xydata().tolist() for line in above.lines if line.get_marker() == "o"]
-    assert circles == [[[3, 2.0]], [[5, 4.0]]], "on the paper's grid"
-    assert [set(line.get_xdata()) for line in below.lines] == [{3}, {5}]
-    assert above.transData.transform((3, 1e6))[1] < above.transAxes.transform((0, 0.95))[1]
+    assert circles == [[[2, 2.0]], [[4, 4.0]]], "on the paper's grid"
+    assert [set(line.get_xdata()) for line in below.lines] == [{2}, {4}]
+    assert above.transData.transform((2, 5e5))[1] < above.transAxes.transform((0, 0.95))[1]
 
 
 def test_claims_map_has_a_verdict_in_every_cell():
