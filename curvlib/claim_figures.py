@@ -24,9 +24,9 @@ def specification_curve(claims, readings, claim, surfaces, limit=None, marked=No
 
     `claims`: claims.csv; `readings`: reading -> {option: value}, those to show; `claim`: its row
     of claims-summary.csv; `surfaces`: those over which the median effect is taken, and grey bars
-    from the lower to the upper quartile; `limit`: the effect at which the claim turns; `marked`:
-    reading -> label, to be pointed out on the paper's grid where they are shown. A point's colour
-    is the verdict on more than half of the surfaces, black where none is.
+    from the lower to the upper quartile; `limit`: the effect at which the claim turns, None or NaN
+    without one; `marked`: reading -> label, to be pointed out on the paper's grid where they are
+    shown. A point's colour is the verdict on more than half of the surfaces, black where none is.
     """
     cells = claims[(claims.claim == claim.claim) & claims.surface.isin(surfaces)]
     cells = cells[cells.reading.isin(readings)]
@@ -79,12 +79,12 @@ def _curve(axes, curve, limit):
         axes.scatter(x[of], curve[0.5][of], s=7, color=colour, label=verdict, zorder=3)
     bars = {"color": PALE, "linewidth": _width(curve), "zorder": 1}
     axes.vlines(x, curve[0.25], curve[0.75], label="quartiles of the surfaces", **bars)
-    ends = curve[[0.25, 0.75]].to_numpy().ravel()
-    ends = np.append(ends, [] if limit is None else limit)
+    limit = np.nan if limit is None else limit
+    ends = np.append(curve[[0.25, 0.75]].to_numpy(), limit)
     ends = ends[np.isfinite(ends)]
     if len(ends) and ends.min() > 0 and ends.max() > 50 * ends.min():
         axes.set_yscale("log")
-    if limit is not None:
+    if np.isfinite(limit):
         axes.axhline(limit, color="0.25", linewidth=0.8, linestyle="--", label="_limit")
         words = f"turns at\n{limit:g}".replace("-", "\N{MINUS SIGN}")
         across = axes.get_yaxis_transform()

@@ -138,8 +138,8 @@ def test_specification_curve_has_a_point_and_its_choices_per_reading():
 
 @pytest.mark.parametrize(("scale", "axis"), [(1.0, "log"), (-1.0, "linear")])
 def test_specification_curve_says_where_the_claim_turns(scale, axis):
-    above, _ = curve().axes
-    assert not [line for line in above.lines if line.get_label() == "_limit"]
+    for none in (None, np.nan):
+        assert not curve(limit=none).axes[0].lines
     above, _ = curve(limit=scale, scale=scale).axes
     (line,) = (line for line in above.lines if line.get_label() == "_limit")
     assert set(line.get_ydata()) == {scale}

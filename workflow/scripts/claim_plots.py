@@ -7,6 +7,7 @@ from curvlib.catalogue import estimators, surfaces
 from curvlib.claims import SEVEN
 from curvlib.job import logged
 
+MARKED = {"default": "default", "likely-run": "likely run"}
 with logged(snakemake.log[0]):
     inputs, params = snakemake.input, snakemake.params
     tables = inputs.claims, inputs.summary, inputs.ranks, inputs.slopes
@@ -15,14 +16,14 @@ with logged(snakemake.log[0]):
     modules = {name: estimators.module(file) for name, file in params.estimators.items()}
     modules |= {name: surfaces.module(file) for name, file in params.surfaces.items()}
     shown = [name for name in SEVEN if name in set(claims.surface)]
-    verdicts = evidence.verdicts(claims, summary)[shown]
+    verdicts = evidence.verdicts(claims, params.diagonal)[shown]
     drawn = {"claims": claim_figures.claims_map(verdicts, summary, modules)}
     for claim in summary.itertuples():
-        curve = claim_figures.specification_curve(claims, params.readings, claim, shown)
+        about = claim, shown, claim.limit, MARKED
+        curve = claim_figures.specification_curve(claims, params.readings, *about)
         drawn[f"readings-claim-{claim.claim}"] = curve
-    finest = max(params.resolutions)
     for quantity in "KH":
-        drawn[f"ranks-{quantity}"] = figures.rank_plot(ranks, quantity, shown, modules, finest)
+        drawn[f"ranks-{quantity}"] = figures.rank_plot(ranks, quantity, shown, modules, params.n)
         drawn[f"rings-{quantity}"] = claim_figures.rings_plot(rings, slopes, params.rings, quantity)
     for name, figure in drawn.items():
         for kind in ("svg", "png"):
