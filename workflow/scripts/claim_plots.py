@@ -10,8 +10,7 @@ from curvlib.job import logged
 MARKED = {"default": "default", "likely-run": "likely run"}
 with logged(snakemake.log[0]):
     inputs, params = snakemake.input, snakemake.params
-    tables = inputs.claims, inputs.summary, inputs.ranks, inputs.slopes
-    claims, summary, ranks, slopes = map(pd.read_csv, tables)
+    claims, summary, ranks, slopes = map(pd.read_csv, inputs[:4])
     rings = pd.concat(map(pd.read_csv, inputs.rings))
     modules = {name: estimators.module(file) for name, file in params.estimators.items()}
     modules |= {name: surfaces.module(file) for name, file in params.surfaces.items()}
