@@ -40,7 +40,7 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
 
     One curve per estimator in the default reading, log-log, at the resolutions in the table.
     `modules`: the module of every surface and estimator, by name, for label and style. An error
-    that is nothing but rounding is drawn on the lower edge.
+    that is nothing but rounding is a marker on the lower edge, and no line leads there.
     """
     mean = errors[errors.norm == "mean"]
     points, curves = (t[_shown(t, [surface], quantity)] for t in (mean, convergence))
@@ -54,12 +54,14 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
     for name, curve in points.groupby("estimator"):
         module = modules[name]
         label = module.LABEL + (" (exact)" if name in exact else "")
-        values = np.where(curve.value > level, curve.value, floor)
-        axes.plot(curve.triangles, values, label=label, clip_on=False, markersize=5, **module.STYLE)
+        curve = curve.sort_values("triangles")
+        x, y = _broken(curve.triangles, curve.value, (curve.value <= level).to_numpy(), floor)
+        axes.plot(x, y, label=label, clip_on=False, markersize=5, **module.STYLE)
     triangles = np.sort(points.triangles.unique())
     axes.set_xticks(triangles, _apart(triangles))
     axes.set_xticks([], minor=True)
-    axes.set_ylim(bottom=floor)
+    axes.set_ylim(floor, axes.get_ylim()[1])
+    _guide(axes, triangles)
     axes.yaxis.set_minor_formatter(NullFormatter())
     axes.set_xlabel("triangles")
     axes.set_ylabel(f"mean absolute error of {SYMBOLS[quantity]} ({UNITS[quantity]})")
@@ -93,6 +95,21 @@ def throughput_plot(table) -> Figure:
     return figure
 
 
+def _broken(x, y, low, floor):
+    """A curve with its `low` points at `floor`, and a gap on either side of each."""
+    gaps = np.flatnonzero(low[1:] | low[:-1]) + 1
+    return np.insert(x * 1.0, gaps, np.nan), np.insert(np.where(low, floor, y), gaps, np.nan)
+
+
+def _guide(axes, triangles):
+    """A thin line as steep as an error of O(h²)."""
+    ends = np.array([triangles[0], triangles[-1]]) * 1.0
+    bottom, top = axes.get_ylim()
+    start = bottom**0.6 * top**0.4
+    axes.plot(ends, start * ends[0] / ends, color="0.6", linewidth=0.8, zorder=1, label="_guide")
+    axes.annotate("O(h²)", (ends[0], start), (3, 3), textcoords="offset points", fontsize=7)
+
+
 def _apart(values):
     """Labels of rising values on a logarithmic axis, empty where they would run into the next."""
     step = np.log(values[-1] / values[0]) / 12
@@ -110,14 +127,12 @@ def _shown(table, surfaces, quantity):
     return here & (table.quantity == quantity) & (table.reading == "default")
 
 
-def rank_plot(ranks, quantity: str, surfaces, modules) -> Figure:
-    """Rank of each estimator on each surface by mean error at the finest common resolution,
-    default reading; tied estimators stand side by side."""
-    shown = ranks[_shown(ranks, surfaces, quantity)]
-    common = shown.groupby("n").estimator.count()
-    shown = shown[shown.n == common[common == common.max()].index.max()]
-    figure = Figure(figsize=(7.2, 3.6))
-    axes = figure.add_axes((0.08, 0.14, 0.7, 0.76))
+def rank_plot(ranks, quantity: str, surfaces, modules, n: int) -> Figure:
+    """Rank of each estimator on each surface by mean error at resolution `n`, default reading;
+    tied estimators stand side by side."""
+    shown = ranks[_shown(ranks, surfaces, quantity) & (ranks.n == n)]
+    figure = Figure(figsize=(7.2, 3.8))
+    axes = figure.add_axes((0.07, 0.19, 0.71, 0.72))
     for name, places in shown.groupby("estimator"):
         places = places.set_index("surface")
         x, y = [], []
@@ -126,13 +141,16 @@ def rank_plot(ranks, quantity: str, surfaces, modules) -> Figure:
             beside = sorted(tied.estimator).index(name) - (len(tied) - 1) / 2
             x.append(i + 0.16 * beside)
             y.append(places["rank"][surface])
-        style = modules[name].STYLE | {"linewidth": 0.8, "markersize": 6}
-        axes.plot(x, y, label=modules[name].LABEL, **style)
+        style = modules[name].STYLE | {"markersize": 7}
+        (places,) = axes.plot(x, y, label=modules[name].LABEL, **style | {"linestyle": "none"})
+        # Only the places mean something: the line between them is there to be followed.
+        axes.plot(x, y, color=places.get_color(), linewidth=0.5, alpha=0.5, zorder=1)
     axes.invert_yaxis()
     axes.set_yticks(range(1, shown["rank"].max() + 1))
     labels = [modules[surface].LABEL for surface in surfaces]
-    axes.set_xticks(range(len(surfaces)), labels, rotation=20, fontsize=7)
+    angle = {"rotation": 20, "ha": "right", "rotation_mode": "anchor", "fontsize": 8}
+    axes.set_xticks(range(len(surfaces)), labels, **angle)
     axes.set_ylabel(f"rank by mean error of {SYMBOLS[quantity]}")
-    axes.set_title(f"Ranks for {NAMES[quantity]} at n = {shown.n.iloc[0]}", loc="left")
+    axes.set_title(f"Ranks for {NAMES[quantity]} at n = {n}", loc="left")
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8)
     return figure

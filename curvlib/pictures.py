@@ -23,8 +23,9 @@ GAP = 24  # pixels around an image
 # the one, and lighter than where the other runs through grey for those who see no red or green.
 DIVERGING, SEQUENTIAL = (matplotlib.colormaps[name] for name in ("RdYlBu_r", "viridis"))
 NEUTRAL = (0.78, 0.78, 0.78)
-AMBIENT = 0.65  # of the light on colours that have to be read
+AMBIENT = 0.8  # of the light on colours that have to be read
 COVERED = 0.99  # of the surface, or of the errors: within the ends of a scale
+FLAT = AsinhNorm(1, -1, 1)  # of what is zero everywhere
 POWER = {"K": 2, "H": 1}  # of a principal curvature
 
 
@@ -61,15 +62,18 @@ def curvature_map(meshes, quantity: str, modules, draw) -> Figure:
     plate = _Plate(len(meshes), below=130, foot=80)
     for ((surface, *_), mesh), panel in zip(meshes.items(), plate.panels):
         values = getattr(mesh, quantity)
-        norm, ticks = _around_zero(values, mesh, largest_curvature(mesh) ** POWER[quantity])
+        norm = _around_zero(values, mesh, largest_curvature(mesh) ** POWER[quantity])
         colours = _colours(values, norm, DIVERGING)
         panel.show(draw(_view(mesh, modules[surface], panel).scene(colours, ambient=AMBIENT)))
         panel.title(modules[surface].LABEL)
-        panel.scale(norm, DIVERGING, ticks)
+        if norm is not FLAT:
+            panel.scale(norm, DIVERGING, values)
+        elif np.isfinite(values).any():
+            panel.text(0.5, -52 / panel.size[1], f"{quantity} = 0", ha="center")
     plate.words(
         f"Exact {NAMES[quantity]} in {UNITS[quantity]}. Each scale is linear up to the median of "
         f"|{quantity}| over the area\nand logarithmic from there; {COVERED:.0%} of the area lies "
-        "between its ends."
+        "within, the rest beyond the arrows."
     )
     if any(np.isnan(getattr(mesh, quantity)).any() for mesh in meshes.values()):
         plate.neutral("no exact value")
@@ -88,7 +92,8 @@ def error_map(mesh, estimates, quantity: str, surface, modules, draw) -> Figure:
         if np.isfinite(both[1]).any():
             exact, estimate = both if quantity == "K" else np.abs(both)
             errors[name] = np.abs(exact - estimate)
-    norm = _logarithmic(np.concatenate([[], *errors.values()]))
+    every = np.concatenate([[], *errors.values()])
+    norm = _logarithmic(every)
     part = getattr(surface, "CLOSE_UP", None)
     plate = _Plate(len(errors), below=50, foot=110, shape=0.52 if part else 1.0)
     for (name, values), panel in zip(errors.items(), plate.panels):
@@ -98,8 +103,8 @@ def error_map(mesh, estimates, quantity: str, surface, modules, draw) -> Figure:
             half.show(draw(scene), framed=shown is not None)
         panel.title(modules[name].LABEL)
     plate.words(f"{surface.LABEL}\n{len(mesh.faces)} triangles")
-    symbol = {"K": "|K - K$_{est}$|", "H": "||H| - |H$_{est}$||"}[quantity]
-    plate.scale(norm, SEQUENTIAL, f"{symbol} ({UNITS[quantity]})")
+    symbol = {"K": r"$|K - K_\mathrm{est}|$", "H": r"$||H| - |H_\mathrm{est}||$"}[quantity]
+    plate.scale(norm, SEQUENTIAL, every, f"{symbol} ({UNITS[quantity]})")
     plate.neutral("undefined")
     return plate.figure
 
@@ -115,7 +120,7 @@ def _colours(values, norm, colormap):
 
 
 def _around_zero(values, mesh, scale):
-    """The norm of a map of K or H, and the ticks of its bar; `scale`: the largest K or H that the
+    """The norm of a map of K or H, FLAT where that is 0; `scale`: the largest K or H that the
     curvatures would allow, beside which rounding is 0."""
     a, b, c = mesh.vertices[mesh.faces].swapaxes(0, 1)
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
@@ -123,12 +128,10 @@ def _around_zero(values, mesh, scale):
     order = np.argsort(np.abs(values), kind="stable")[: np.isfinite(values).sum()]
     sizes, covered = np.abs(values[order]), np.cumsum(areas[order])
     if not (sizes > ROUNDING * scale).any():
-        return AsinhNorm(1, -1, 1), [0]
+        return FLAT
     typical, limit = np.interp([0.5, COVERED], covered / covered[-1], sizes)
     limit = max(limit, sizes[-1] / 1000)  # which is 0 where nearly everything is
-    norm = AsinhNorm(max(typical, limit / 1000), -limit, limit)
-    middle = float(f"{norm.inverse(0.75):.1g}")
-    return norm, [-limit, -middle, 0, middle, limit]
+    return AsinhNorm(max(typical, limit / 1000), -limit, limit)
 
 
 def _logarithmic(values):
@@ -161,10 +164,10 @@ class _Plate:
     def words(self, text):
         self.foot.text(0, 0.5, text, ha="left")
 
-    def scale(self, norm, colormap, label):
+    def scale(self, norm, colormap, values, label):
         width, height = self.foot.size
         axes = self.foot.axes(width // 4, height - 30, width // 2, 20)
-        _bar(axes, norm, colormap).set_label(label, fontsize=8)
+        _bar(axes, norm, colormap, values).set_label(label, fontsize=8)
 
     def neutral(self, label):
         """A legend entry of the colour of what is undefined."""
@@ -205,17 +208,24 @@ class _Panel:
     def text(self, x, y, text, ha):
         self.axes(0, 0, *self.size).text(x, y, text, ha=ha, va="center", fontsize=8)
 
-    def scale(self, norm, colormap, ticks):
+    def scale(self, norm, colormap, values):
         width = self.size[0]
-        bar = _bar(self.axes(width // 8, -62, 3 * width // 4, 14), norm, colormap)
-        bar.set_ticks(ticks, labels=[f"{float(f'{t:.2g}'):g}" for t in ticks])
+        bar = _bar(self.axes(width // 8, -62, 3 * width // 4, 14), norm, colormap, values)
+        middle = float(f"{norm.inverse(0.75):.1g}")
+        ticks = [norm.vmin, -middle, 0, middle, norm.vmax]
+        labels = [f"{float(f'{t:.2g}'):g}".replace("-", "\N{MINUS SIGN}") for t in ticks]
+        bar.set_ticks(ticks, labels=labels)
         bar.minorticks_off()
 
 
-def _bar(axes, norm, colormap):
-    """A colour bar that fills the axes."""
+def _bar(axes, norm, colormap, values):
+    """A colour bar that fills the axes, with an arrow at each end that some value lies beyond."""
     axes.axis("on")
-    bar = axes.figure.colorbar(ScalarMappable(norm, colormap), axes, orientation="horizontal")
+    slack = ROUNDING * np.abs([norm.vmin, norm.vmax])
+    low, high = (values < norm.vmin - slack[0]).any(), (values > norm.vmax + slack[1]).any()
+    extend = {(0, 0): "neither", (1, 0): "min", (0, 1): "max", (1, 1): "both"}[low, high]
+    shown = ScalarMappable(norm, colormap)
+    bar = axes.figure.colorbar(shown, axes, orientation="horizontal", extend=extend)
     bar.outline.set_visible(False)
     axes.tick_params(labelsize=7, length=2, which="both")
     return bar

@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .errors import check_name
+
 CHOICE = "CURVLIB_RENDERER"  # in the environment: vtk or matplotlib, instead of a probe
 TIMEOUT = 120  # seconds for the probe, on a machine that has much else to do
 FINER = 3  # pixels of the raster per pixel of the image, each way
@@ -41,10 +43,11 @@ class Scene(NamedTuple):
 def renderer():
     """The function that draws a Scene, (height, width, 3) uint8; says which it is, on stderr.
 
-    Where there is no OpenGL, VTK ends the process that asks it: a child asks first.
+    Where there is no OpenGL, VTK ends the process that asks it: a child asks first. Raises
+    InputError where the environment chooses one that does not exist.
     """
-    chosen = os.environ.get(CHOICE)
-    if chosen in RENDERERS:
+    if chosen := os.environ.get(CHOICE):
+        check_name("renderer", chosen, RENDERERS, CHOICE)
         name, reason = chosen, f"{CHOICE} says so"
     else:
         trouble = _trouble()

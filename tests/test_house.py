@@ -48,7 +48,7 @@ IMPORTS = {
     "figures": set(),
     "claim_figures": {"figures"},
     "article": {"errors"},
-    "render": set(),
+    "render": {"errors"},
     "views": {"render"},
     "pictures": {"figures", "norms", "views"},
 }

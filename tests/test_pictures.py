@@ -117,6 +117,12 @@ def test_without_opengl_matplotlib_draws(monkeypatch, capsys, probe, reason):
     assert line.endswith(reason)
 
 
+def test_a_renderer_that_does_not_exist(monkeypatch):
+    monkeypatch.setenv(render.CHOICE, "vkt")
+    with pytest.raises(curvlib.InputError, match=r"RENDERER: .*'vkt'; .*valid: vtk, matplotlib$"):
+        render.renderer()
+
+
 @pytest.mark.parametrize("name", RENDERERS)
 def test_a_renderer_can_be_chosen(monkeypatch, capsys, name):
     monkeypatch.setenv(render.CHOICE, name)
@@ -154,6 +160,11 @@ def legend(figure):
     ]
 
 
+def arrows(figure):
+    """At which ends the colour bars have one."""
+    return [axes._colorbar.extend for axes in figure.axes if hasattr(axes, "_colorbar")]
+
+
 def hue(colours):
     """Colours without what light does to them."""
     return colours / colours.max(-1, keepdims=True)
@@ -182,6 +193,7 @@ def test_curvature_has_its_colours_and_scales(spout):
     draw = Recorder()
     modules = MODULES | {"teapot_spout": SimpleNamespace(LABEL="Spout", UP="y")}
     meshes = {("sphere", "same", 16): mesh("sphere"), ("cone", "same", 16): mesh("cone")}
+    meshes["sphere", "same", 16].K[0] *= 1 + 1e-12
     drawn = pictures.curvature_map(meshes, "K", modules, draw)
     ball, cone = draw.scenes
     for scene, place in ((ball, 1.0), (cone, 0.5)):
@@ -190,11 +202,14 @@ def test_curvature_has_its_colours_and_scales(spout):
     assert "1/length²" in texts(drawn)[-1]
     assert not legend(drawn)
     scales = [[t.get_text() for t in a.get_xticklabels()] for a in drawn.axes if a.axison]
-    assert scales == [["-1", "-0.5", "0", "0.5", "1"], ["0"]]
+    assert scales == [["\N{MINUS SIGN}1", "\N{MINUS SIGN}0.5", "0", "0.5", "1"]]
+    assert texts(drawn)[1:3] == ["Cone", "K = 0"]
+    assert arrows(drawn) == ["neither"], "rounding is not beyond the scale"
     drawn = pictures.curvature_map({("teapot_spout", "same", 16): spout}, "K", modules, draw)
     assert legend(drawn) == ["no exact value"]
     grey = np.ptp(draw.scenes[-1].colours, axis=-1) == 0
     assert set(spout.faces[grey]) == set(np.flatnonzero(np.isnan(spout.K)))
+    assert arrows(drawn) == ["both"]
 
 
 @pytest.mark.parametrize("known", [0, 1])
@@ -204,6 +219,7 @@ def test_curvature_that_is_hardly_anywhere(known):
     draw = Recorder()
     drawn = pictures.curvature_map({("cone", "same", 16): m}, "H", MODULES, draw)
     assert legend(drawn) == ["no exact value"]
+    assert "H = 0" not in texts(drawn)
     coloured = np.ptp(draw.scenes[0].colours, axis=-1) > 0
     assert set(m.faces[coloured]) == set(range(known))
 
@@ -220,7 +236,7 @@ def test_error_map_has_one_scale_and_leaves_out_who_has_no_values():
     assert texts(drawn) == ["Good", "Bad", f"Cone\n{len(cone.faces)} triangles"]
     assert legend(drawn) == ["undefined"]
     (scale,) = (axes for axes in drawn.axes if axes.axison)
-    assert scale.get_xlabel() == "||H| - |H$_{est}$|| (1/length)"
+    assert scale.get_xlabel() == r"$||H| - |H_\mathrm{est}||$ (1/length)"
     assert scale.get_xscale() == "log"
     good, bad = draw.scenes
     shown = inner[cone.faces]
@@ -228,5 +244,7 @@ def test_error_map_has_one_scale_and_leaves_out_who_has_no_values():
     assert good.colours[shown][:, 2].mean() > good.colours[shown][:, 1].mean(), "violet"
     assert bad.colours[shown][:, 1].mean() > 2 * bad.colours[shown][:, 2].mean(), "yellow"
     surface = SimpleNamespace(LABEL="Cone", CLOSE_UP=((0, 1), (0, 0.2)))
-    pictures.error_map(cone, estimates, "H", surface, MODULES, draw)
+    estimates["bad"].H[inner.argmax()] = 1e6
+    drawn = pictures.error_map(cone, estimates, "H", surface, MODULES, draw)
     assert len(draw.scenes) == 2 + 4
+    assert arrows(drawn) == ["max"]

@@ -2,25 +2,27 @@
 
 import pandas as pd
 
-from curvlib import claim_figures, figures
+from curvlib import claim_figures, evidence, figures
 from curvlib.catalogue import estimators, surfaces
 from curvlib.claims import SEVEN
 from curvlib.job import logged
 
+MARKED = {"default": "default", "likely-run": "likely run"}
 with logged(snakemake.log[0]):
     inputs, params = snakemake.input, snakemake.params
-    tables = inputs.claims, inputs.summary, inputs.ranks, inputs.slopes
-    claims, summary, ranks, slopes = map(pd.read_csv, tables)
+    claims, summary, ranks, slopes = map(pd.read_csv, inputs[:4])
     rings = pd.concat(map(pd.read_csv, inputs.rings))
     modules = {name: estimators.module(file) for name, file in params.estimators.items()}
     modules |= {name: surfaces.module(file) for name, file in params.surfaces.items()}
     shown = [name for name in SEVEN if name in set(claims.surface)]
-    drawn = {"claims": claim_figures.claims_map(claims, summary, shown, modules)}
+    verdicts = evidence.verdicts(claims, params.diagonal)[shown]
+    drawn = {"claims": claim_figures.claims_map(verdicts, summary, modules)}
     for claim in summary.itertuples():
-        curve = claim_figures.specification_curve(claims, params.readings, claim, shown)
+        about = claim, shown, claim.limit, MARKED
+        curve = claim_figures.specification_curve(claims, params.readings, *about)
         drawn[f"readings-claim-{claim.claim}"] = curve
     for quantity in "KH":
-        drawn[f"ranks-{quantity}"] = figures.rank_plot(ranks, quantity, shown, modules)
+        drawn[f"ranks-{quantity}"] = figures.rank_plot(ranks, quantity, shown, modules, params.n)
         drawn[f"rings-{quantity}"] = claim_figures.rings_plot(rings, slopes, params.rings, quantity)
     for name, figure in drawn.items():
         for kind in ("svg", "png"):
