@@ -80,17 +80,15 @@ class Study:
         names = (",".join(f"{k}={v}" for k, v in c.items()) for c in combinations)
         return dict(zip(names, combinations)) if self.product else {}
 
-    def shown_readings(self) -> dict[str, dict]:
-        """The readings that are set against each other: all products, and the named readings in
-        the same options; without products all of the tables."""
-        if not self.product:
-            return self.all_readings()
+    def named_products(self) -> dict[str, str]:
+        """The products that some of the `readings` come to: product -> reading."""
         default = {option: self.choices()[option][0] for option in self.product}
-        named = {
-            name: {option: reading.get(option, default[option]) for option in self.product}
-            for name, reading in self.readings.items()
-        }
-        return self.products() | named
+        names = {}
+        for name, reading in self.readings.items():
+            chosen = default | reading
+            found = [product for product, choice in self.products().items() if choice == chosen]
+            names |= dict.fromkeys(found, name)
+        return names
 
     def changes(self, reading: dict) -> bool:
         """Whether a reading differs from the default one."""

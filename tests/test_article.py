@@ -128,9 +128,11 @@ sphere,same,8,taubin,default,K,mean,0.5
 sphere,same,8,watanabe,default,K,mean,0.00123
 sphere,same,8,taubin,default,K,max,7""",
     "tables/convergence.csv": """
-surface,diagonal,estimator,reading,quantity,tail,verdict
-sphere,same,taubin,default,K,-1.96,converges
-sphere,same,watanabe,default,K,,exact""",
+surface,diagonal,estimator,reading,quantity,tail,verdict,finest
+sphere,same,taubin,default,K,-1.96,converges,16
+sphere,random-1,taubin,default,K,-1.5,converges,8
+sphere,random-2,taubin,default,K,0.1,stagnates,8
+sphere,same,watanabe,default,K,,exact,16""",
     "tables/ranks.csv": """
 surface,diagonal,n,reading,quantity,estimator,rank
 sphere,same,8,default,K,taubin,2""",
@@ -144,6 +146,13 @@ valence,ring,quantity,estimator,variant,slope
 claim,sentence,default,likely-run
 1,Always best.,2 (+3) of 7,4 of 7
 2,Never best.,5 of 7,7 of 7""",
+    "tables/claims.csv": """
+claim,surface,diagonal,reading,holds
+1,sphere,same,default,true
+1,sphere,random-1,default,false
+1,sphere,same,other,true
+1,quadric,same,default,true
+2,sphere,same,default,undecided""",
     "trials/noise-taubin.csv": """
 surface,variant,quantity,sigma,value
 sphere,-,K,0.01,0.25""",
@@ -165,7 +174,7 @@ def shown(tmp_path):
         "surfaces": ["sphere"],
         "estimators": ["taubin", "watanabe"],
         "resolutions": [8],
-        "cuts": ["same"],
+        "cuts": ["same", "random-1", "random-2"],
         "captions": {},
         "citation": str(ROOT / "CITATION.cff"),
     }
@@ -190,6 +199,12 @@ def shown(tmp_path):
         ('slope("sphere", "K", "taubin")', -1.96),
         ('converges("sphere", "K", "watanabe")', True),
         ('converging("K", "taubin")', 1),
+        ('converging("K", "taubin", kind: "random")', 0),
+        ('reach("same")', 16),
+        ("true-on(1)", ["sphere"]),
+        ("true-on(2)", []),
+        ("true-cells(1)", {"yes": 2, "all": 3}),
+        ('true-cells(1, diagonal: "random-1")', {"yes": 0, "all": 1}),
         ('rank("sphere", "K", "taubin")', 2),
         ('best("sphere", "K")', "watanabe"),
         ('ring-slope("K", "taubin", 6, "regular")', -2.01),
@@ -206,6 +221,9 @@ def shown(tmp_path):
         ("fixed(2.0, 2)", "2.00"),
         ("fixed(-0.001, 1)", "0.0"),
         ("percent(1, 3)", "33 %"),
+        ("percent(1, 300)", "< 1 %"),
+        ("percent(0, 300)", "0 %"),
+        ("spelt(3)", "three"),
     ],
 )
 def test_look_ups(shown, expression, value):

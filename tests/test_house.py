@@ -144,12 +144,12 @@ def test_readings_of_more_meshes(config):
             Study(config | {"more_readings": wrong})
 
 
-def test_readings_that_are_set_against_each_other(config):
-    shown = Study(config).shown_readings()
-    assert len(shown) == 3 * 3 + 2
-    assert shown["half"] == {"area": "half", "dihedral": "signed"}
-    assert shown["default"] == shown["area=third,dihedral=signed"]
-    assert set(Study(config | {"product": []}).shown_readings()) > {"default", "half", "area=half"}
+def test_products_that_have_a_name(config):
+    named = {"area=third,dihedral=signed": "default", "area=half,dihedral=signed": "half"}
+    assert Study(config).named_products() == named
+    other = {"readings": config["readings"] | {"principal": {"principal": "as-printed"}}}
+    assert Study(config | other).named_products() == named
+    assert Study(config | {"product": []}).named_products() == {}
 
 
 def test_study_shares_what_readings_have_in_common(config):

@@ -70,7 +70,8 @@ rule claim_plots:
     conda:
         "../envs/curvlib.yaml"
     params:
-        readings=study.shown_readings(),
+        readings=study.products() or study.all_readings(),
+        marked=study.named_products(),
         diagonal=study.diagonals[0],
         n=study.resolutions[-1],
         rings=RING_CURVES,

@@ -4,21 +4,20 @@ import pandas as pd
 
 from curvlib import claim_figures, evidence, figures
 from curvlib.catalogue import estimators, surfaces
-from curvlib.claims import SEVEN
+from curvlib.claims import chosen
 from curvlib.job import logged
 
-MARKED = {"default": "default", "likely-run": "likely run"}
 with logged(snakemake.log[0]):
     inputs, params = snakemake.input, snakemake.params
     claims, summary, ranks, slopes = map(pd.read_csv, inputs[:4])
     rings = pd.concat(map(pd.read_csv, inputs.rings))
     modules = {name: estimators.module(file) for name, file in params.estimators.items()}
     modules |= {name: surfaces.module(file) for name, file in params.surfaces.items()}
-    shown = [name for name in SEVEN if name in set(claims.surface)]
+    shown = chosen(params.surfaces)
     verdicts = evidence.verdicts(claims, params.diagonal)[shown]
     drawn = {"claims": claim_figures.claims_map(verdicts, summary, modules)}
     for claim in summary.itertuples():
-        about = claim, shown, claim.limit, MARKED
+        about = claim, shown, claim.limit, params.marked
         curve = claim_figures.specification_curve(claims, params.readings, *about)
         drawn[f"readings-claim-{claim.claim}"] = curve
     for quantity in "KH":
