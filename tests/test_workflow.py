@@ -128,6 +128,18 @@ def test_a_new_file_is_all_it_takes(study):
     assert "pipe,same,8,128,mine,default,K,mean," in errors
 
 
+def test_a_study_without_what_the_paper_looked_at(study):
+    """None of its seven surfaces, none of its two favourites: everything is made all the same."""
+    text = SMALL.replace("[sphere, teapot_spout]", "[cone_apex]")
+    text = text.replace("[gauss_bonnet, paraboloid]", "[taubin]")
+    (study.folder / "small.yaml").write_text(text)
+    study()
+    figures = {path.stem for path in (study.folder / "results/figures").glob("*.png")}
+    assert {"figure-1", "claims", "readings-claim-9", "ranks-K", "rings-H"} <= figures
+    summary = (study.folder / "results/tables/claims-summary.csv").read_text()
+    assert "of 1" in summary
+
+
 @pytest.mark.parametrize(
     ("config", "message"),
     [
@@ -179,12 +191,12 @@ def test_readme_shows_what_the_study_says(study):
     article.unlink()
     study("paper", config="config/config.yaml")
     assert article.read_bytes() == made
-    table = study.folder / "results/tables/ranks.csv"
+    table = study.folder / "results/tables/rings.csv"
     rows = table.read_text().splitlines(keepends=True)
-    quoted = "sphere,same,50,default,H,paraboloid,"
+    quoted = "6,regular,K,gauss_bonnet,"
     table.write_text("".join(row for row in rows if not row.startswith(quoted)))
     output = study("paper", config="config/config.yaml", ok=False)
-    assert "not in the results of this run: rank sphere/50/H/paraboloid" in output
+    assert "not in the results of this run: slope on rings 6/regular/K/gauss_bonnet" in output
     assert not article.exists()
 
 
