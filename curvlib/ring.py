@@ -58,13 +58,14 @@ class Ring:
         return following(self.e)
 
     @cached_property
-    def _squares(self):
+    def squares(self):
+        """|e_i|^2, (n, m)."""
         return dot(self.e, self.e)
 
     @cached_property
     def lengths(self):
         """|e_i|, (n, m)."""
-        return np.sqrt(self._squares)
+        return np.sqrt(self.squares)
 
     @cached_property
     def _facet(self):
@@ -115,7 +116,7 @@ class Ring:
     @cached_property
     def mixed_area(self):
         """Mixed Voronoi cell of v (Meyer, Desbrun, Schroeder, Barr 2003, section 3.3), (m,)."""
-        squares, next_squares = self._squares, following(self._squares)
+        squares, next_squares = self.squares, following(self.squares)
         at_v, at_i, at_next = self._scalar, squares - self._scalar, next_squares - self._scalar
         # |e_i|^2 cot(angle at v_{i+1}) + |e_{i+1}|^2 cot(angle at v_i), over 8.
         voronoi = (squares * at_next + next_squares * at_i) / (8 * self._twice_areas)
@@ -158,7 +159,7 @@ class Ring:
     def kn(self, normal: Normal):
         """Normal curvature towards each v_i (3.16), (n, m); positive where the surface bends
         away from its normal."""
-        return 2 * self.depth(normal) / self._squares
+        return 2 * self.depth(normal) / self.squares
 
 
 def _tangents(N):
