@@ -82,9 +82,15 @@ def estimate(mesh, estimator, threads: int = 1, **options):
 
     def work(chunk):
         at, neighbours = chunk
-        e = coordinates.take(neighbours, axis=1)
-        e -= coordinates.take(at, axis=1)[:, None]
-        store(Ring(e, None if normals is None else normals[:, at]), at, of_ring)
+        # The first neighbour once more behind the last: what follows is a view.
+        e = np.empty((3, len(neighbours) + 1, len(at)))
+        for x, ex in zip(coordinates, e):
+            # mode="clip": "raise" writes to a copy first.
+            x.take(neighbours, out=ex[:-1], mode="clip")
+            ex[:-1] -= x.take(at)
+        e[:, -1] = e[:, 0]
+        ring = Ring(e[:, :-1], None if normals is None else normals[:, at], e[:, 1:])
+        store(ring, at, of_ring)
 
     with ThreadPoolExecutor(threads) as pool:
         # A thread to wait for is what a small mesh would spend most of its time on.

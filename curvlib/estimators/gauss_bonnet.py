@@ -24,6 +24,6 @@ def estimate(
     beta = ring.beta if dihedral == "signed" else abs(ring.beta)
     if dihedral == "as-printed":
         beta = following(beta)
-    K = (2 * math.pi - ring.alpha.sum(0)) / (ring.A / 2 if area == "half" else cell)
+    K = (2 * math.pi - ring.total_angle) / (ring.A / 2 if area == "half" else cell)
     H = (ring.lengths * beta).sum(0) / (4 * cell)
     return K, H
