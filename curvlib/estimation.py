@@ -83,6 +83,7 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     def work(chunk):
         at, neighbours = chunk
         # The first neighbour once more behind the last: what follows is a view.
+        neighbours = neighbours.astype(np.intp)
         e = np.empty((3, len(neighbours) + 1, len(at)))
         for x, ex in zip(coordinates, e):
             # mode="clip": "raise" writes to a copy first.

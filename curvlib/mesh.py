@@ -50,7 +50,7 @@ class Mesh:
             raise InputError(
                 f"vertices: vertex {np.argmax(bad) // 3} has a coordinate that is not finite"
             )
-        bad = (self.faces < 0) | (self.faces >= count)
+        bad = self.faces.view(np.uintp) >= count  # a negative one is large without its sign
         if bad.any():
             row = int(np.argmax(bad)) // 3
             raise InputError(
@@ -113,7 +113,7 @@ class Mesh:
             if n < 3:
                 continue
             vertices = np.flatnonzero(valence == n)
-            neighbours = np.empty((n, len(vertices)), dtype=np.intp)
+            neighbours = np.empty((n, len(vertices)), dtype=np.int32)
             closed = np.empty(len(vertices), dtype=bool)
             batches.append((vertices, neighbours, closed))
             step = max(1, CHUNK // n)
