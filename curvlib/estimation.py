@@ -15,8 +15,8 @@ from .ring import Ring
 Estimates = namedtuple("Estimates", "K H")
 Estimates.__doc__ = """Pointwise estimates K and H, (V,) float64 each; NaN where undefined."""
 
-# Ring slots (valence times vertices) per chunk: some dozens of arrays of 512 KiB stay in cache,
-# and Python's own time and its lock between threads do not count.
+# Ring slots (valence times vertices) per chunk: some dozens of arrays of 512 KiB stay in cache.
+# Several threads take twice as many, so that they wait less for Python's lock.
 CHUNK = 65536
 # Having seen a block of this size freed, glibc's malloc takes no more of such a size from the
 # system and gives none back: every temporary array would otherwise be new pages, to be zeroed.
@@ -82,21 +82,29 @@ def estimate(mesh, estimator, threads: int = 1, **options):
 
     def work(chunk):
         at, neighbours = chunk
-        e = coordinates.take(neighbours, axis=1)
-        e -= coordinates.take(at, axis=1)[:, None]
-        store(Ring(e, None if normals is None else normals[:, at]), at, of_ring)
+        # The first neighbour once more behind the last: what follows is a view.
+        neighbours = neighbours.astype(np.intp)
+        e = np.empty((3, len(neighbours) + 1, len(at)))
+        for x, ex in zip(coordinates, e):
+            # mode="clip": "raise" writes to a copy first.
+            x.take(neighbours, out=ex[:-1], mode="clip")
+            ex[:-1] -= x.take(at)
+        e[:, -1] = e[:, 0]
+        ring = Ring(e[:, :-1], None if normals is None else normals[:, at], e[:, 1:])
+        store(ring, at, of_ring)
 
     with ThreadPoolExecutor(threads) as pool:
         # A thread to wait for is what a small mesh would spend most of its time on.
         apply = pool.map if threads > 1 else map
         if of_ring:
-            list(apply(work, _chunks(mesh.find_rings(apply))))
+            size = CHUNK if threads == 1 else 2 * CHUNK
+            list(apply(work, _chunks(mesh.find_rings(apply), size)))
     return results if several else results[estimator]
 
 
-def _chunks(rings):
-    """Yield (vertices (m,), neighbours (n, m)) over closed one-rings in batches."""
+def _chunks(rings, size):
+    """Yield (vertices (m,), neighbours (n, m)) over closed one-rings, `size` slots at a time."""
     for vertices, neighbours in rings:
-        step = max(1, CHUNK // len(neighbours))
+        step = max(1, size // len(neighbours))
         for start in range(0, len(vertices), step):
             yield vertices[start : start + step], neighbours[:, start : start + step]

@@ -14,34 +14,38 @@ CUTOFF = 1e-6
 def least_squares(columns, z):
     """Minimum-norm x (3, m) that minimises |c0 x0 + c1 x1 + c2 x2 - z|.
 
-    `columns`: three arrays (rows, m) or broadcastable to it; `z`: (rows, m). Singular values
-    are cut off relative to the largest, at CUTOFF, so that a direction which the rows leave
-    undetermined contributes nothing. Not-a-number in gives not-a-number out.
+    `columns`: three arrays (rows, m); `z`: (rows, m). Singular values are cut off relative to
+    the largest, at CUTOFF, so that a direction which the rows leave undetermined contributes
+    nothing. Not-a-number in gives not-a-number out.
     """
-    rest = np.array(np.broadcast_arrays(*columns, z))
-    R = np.zeros((3, 4, z.shape[-1]))
-    product = np.empty_like(rest[0])
+    rest = [*columns, z]
+    # R is the square root of D times U, whose diagonal is one: no column has to be scaled.
+    D = np.empty((3, z.shape[-1]))
+    U = np.zeros((3, 4, z.shape[-1]))
     for i in range(3):
         q = rest[i]
-        np.sqrt(np.einsum("rm,rm->m", q, q), out=R[i, i])
-        q /= np.where(R[i, i] > 0, R[i, i], 1)
+        np.einsum("rm,rm->m", q, q, out=D[i])
+        U[i, i] = 1
+        square = D[i] + (D[i] == 0)
         for j in range(i + 1, 4):
-            np.einsum("rm,rm->m", q, rest[j], out=R[i, j])
+            np.einsum("rm,rm->m", q, rest[j], out=U[i, j])
+            U[i, j] /= square
             if i < 2:  # what then is left of z is asked for no more
-                rest[j] -= np.multiply(R[i, j], q, out=product)
-    R, y = R[:, :3], R[:, 3]
+                part = U[i, j] * q
+                rest[j] = np.subtract(rest[j], part, out=part)
+    x2 = U[2, 3]
+    x1 = U[1, 3] - U[1, 2] * x2
+    x0 = U[0, 3] - U[0, 1] * x1 - U[0, 2] * x2
+    x = np.array([x0, x1, x2])
 
     # |det R| / |R|^3 bounds the smallest singular value over the largest from below: only
     # where that bound is too weak do singular values have to be looked at.
-    squares = np.einsum("ijm,ijm->m", R, R)
-    weak = ~(np.abs(R[0, 0] * R[1, 1] * R[2, 2]) > CUTOFF * squares * np.sqrt(squares))
+    squares = D[0] * (1 + U[0, 1] ** 2 + U[0, 2] ** 2) + D[1] * (1 + U[1, 2] ** 2) + D[2]
     with np.errstate(divide="ignore", invalid="ignore"):
-        x2 = y[2] / R[2, 2]
-        x1 = (y[1] - R[1, 2] * x2) / R[1, 1]
-        x0 = (y[0] - R[0, 1] * x1 - R[0, 2] * x2) / R[0, 0]
-    x = np.array([x0, x1, x2])
+        weak = ~(D[0] / squares * (D[1] / squares) * (D[2] / squares) > CUTOFF**2)
     if weak.any():
-        x[:, weak] = _truncated(R[:, :, weak], y[:, weak])
+        R = np.sqrt(D[:, None, weak]) * U[:, :, weak]
+        x[:, weak] = _truncated(R[:, :3], R[:, 3])
     return x
 
 

@@ -50,7 +50,7 @@ class Mesh:
             raise InputError(
                 f"vertices: vertex {np.argmax(bad) // 3} has a coordinate that is not finite"
             )
-        bad = (self.faces < 0) | (self.faces >= count)
+        bad = self.faces.view(np.uintp) >= count  # a negative one is large without its sign
         if bad.any():
             row = int(np.argmax(bad)) // 3
             raise InputError(
@@ -106,14 +106,14 @@ class Mesh:
         """`rings`, by an `apply` that may call the function on several chunks at a time."""
         if "rings" in self.__dict__:
             return self.rings
-        first, corners = self._corners()
+        first, corners = self._corners(apply)
         valence = np.diff(first)
         batches, todo = [], []
         for n in np.flatnonzero(np.bincount(valence)):
             if n < 3:
                 continue
             vertices = np.flatnonzero(valence == n)
-            neighbours = np.empty((n, len(vertices)), dtype=np.intp)
+            neighbours = np.empty((n, len(vertices)), dtype=np.int32)
             closed = np.empty(len(vertices), dtype=bool)
             batches.append((vertices, neighbours, closed))
             step = max(1, CHUNK // n)
@@ -134,15 +134,23 @@ class Mesh:
         ]
         return self.rings
 
-    def _corners(self):
+    def _corners(self, apply):
         """Where each vertex's corners begin (V + 1,), and the corners (3 F,), vertex by vertex:
         the two int32 vertices that follow the corner's own in its face, packed into an int64."""
         # Imported here, since it takes longer than importing all of curvlib.
         from scipy.sparse import csr_array
 
         count = len(self.faces)
-        faces = self.faces.astype(np.int32)
-        others = faces.take((1, 2, 2, 0, 0, 1), axis=1).view(np.int64)
+        faces = np.empty((count, 3), dtype=np.int32)
+        others = np.empty((count, 3), dtype=np.int64)
+
+        def pack(start):
+            part = slice(start, start + CHUNK)
+            faces[part] = self.faces[part]
+            pairs = others[part].view(np.int32)
+            faces[part].take((1, 2, 2, 0, 0, 1), axis=1, out=pairs, mode="clip")
+
+        list(apply(pack, range(0, count, CHUNK)))
         # Its conversion to columns is a counting sort, by int32 indices twice as fast.
         indptr = np.arange(0, 3 * count + 1, 3, dtype=np.int32)
         rows = (others.ravel(), faces.ravel(), indptr)

@@ -45,31 +45,39 @@ class Ring:
     """m one-rings of valence n: `e` (3, n, m) are the edge vectors e_i = v_i - v.
 
     `exact_normals`: (3, m) unit normals of the surface or None where the mesh has none.
+    `following_e`: e_{i+1} where they are known as a view, else copied.
     Lengths are in the unit of the mesh, angles in radians. A degenerate triangle gives NaN.
     """
 
-    def __init__(self, e, exact_normals=None):
+    def __init__(self, e, exact_normals=None, following_e=None):
         self.e = e
+        self._next = following(e) if following_e is None else following_e
         self.exact_normals = exact_normals
         self._known = {}
 
     @cached_property
-    def _next(self):
-        return following(self.e)
-
-    @cached_property
-    def _squares(self):
+    def squares(self):
+        """|e_i|^2, (n, m)."""
         return dot(self.e, self.e)
 
     @cached_property
     def lengths(self):
         """|e_i|, (n, m)."""
-        return np.sqrt(self._squares)
+        return np.sqrt(self.squares)
 
     @cached_property
+    def _facets(self):
+        """Those of i - 1 and i, views (3, n, m): e_i x e_{i+1}, along the normal of T_i and twice
+        its area long."""
+        n, m = self.e.shape[1:]
+        facets = np.empty((3, n + 1, m))
+        cross(self.e, self._next, out=facets[:, 1:])
+        facets[:, 0] = facets[:, n]
+        return facets[:, :n], facets[:, 1:]
+
+    @property
     def _facet(self):
-        """e_i x e_{i+1}, (3, n, m): along the normal of T_i, twice its area long."""
-        return cross(self.e, self._next)
+        return self._facets[1]
 
     @cached_property
     def _twice_areas(self):
@@ -104,18 +112,31 @@ class Ring:
         return np.subtract(math.pi / 2, alpha, out=alpha)
 
     @cached_property
+    def total_angle(self):
+        """Sum of all alpha_i, (m,): the argument of a product of complex numbers, from one
+        arctangent and the number of times that the product came across the real axis."""
+        product = self.lengths * following(self.lengths)
+        cosine, sine = self._scalar / product, self._twice_areas / product
+        (x, y), half_turns = (cosine[0], sine[0]), 0
+        for c, s in zip(cosine[1:], sine[1:]):
+            below = np.signbit(y)
+            x, y = x * c - y * s, x * s + y * c
+            half_turns += np.signbit(y) != below
+        return math.pi * half_turns + (math.pi / 2 - np.arctan(x / y))
+
+    @cached_property
     def beta(self):
         """Signed dihedral angle at e_i, between N_{i-1} and N_i, (n, m): convex positive.
 
         (e_{i-1} x e_i) x (e_i x e_{i+1}) is e_i times the determinant of the three.
         """
-        before = preceding(self._facet)
-        return angle(dot(before, self._facet), -self.lengths * dot(before, self._next))
+        before, facet = self._facets
+        return angle(dot(before, facet), -self.lengths * dot(before, self._next))
 
     @cached_property
     def mixed_area(self):
         """Mixed Voronoi cell of v (Meyer, Desbrun, Schroeder, Barr 2003, section 3.3), (m,)."""
-        squares, next_squares = self._squares, following(self._squares)
+        squares, next_squares = self.squares, following(self.squares)
         at_v, at_i, at_next = self._scalar, squares - self._scalar, next_squares - self._scalar
         # |e_i|^2 cot(angle at v_{i+1}) + |e_{i+1}|^2 cot(angle at v_i), over 8.
         voronoi = (squares * at_next + next_squares * at_i) / (8 * self._twice_areas)
@@ -133,7 +154,10 @@ class Ring:
             if self.exact_normals is None:
                 raise InputError("normal='exact' needs a mesh with normals; this one has none")
             return self.exact_normals
-        total = (self.facet_normals if kind == "uniform" else self._facet).sum(1)
+        if kind == "uniform":
+            total = np.einsum("cnm,nm->cm", self._facet, 1 / self._twice_areas)
+        else:
+            total = self._facet.sum(1)
         return total / norm(total)
 
     @_once_per_normal
@@ -144,7 +168,8 @@ class Ring:
     @_once_per_normal
     def projected(self, normal: Normal):
         """(x, y) of the canonical form, (2, n, m): along T_i of (3.23), not of length one."""
-        return np.stack([dot(self.e, axis) for axis in _tangents(self.normal(normal))])
+        out = np.empty((2, *self.e.shape[1:]))
+        return np.einsum("cnm,kcm->knm", self.e, _tangents(self.normal(normal)), out=out)
 
     def canonical(self, normal: Normal):
         """(x, y, z), each (n, m): the neighbours with v at the origin and -N_v along the z axis.
@@ -158,17 +183,17 @@ class Ring:
     def kn(self, normal: Normal):
         """Normal curvature towards each v_i (3.16), (n, m); positive where the surface bends
         away from its normal."""
-        return 2 * self.depth(normal) / self._squares
+        return 2 * self.depth(normal) / self.squares
 
 
 def _tangents(N):
-    """Two unit vectors that with N (3, m) make a right-handed frame.
+    """Two unit vectors (2, 3, m) that with N (3, m) make a right-handed frame.
 
     Duff et al. 2017, Building an orthonormal basis, revisited (JCGT 6, 1).
     """
     sign = np.copysign(1.0, N[2])
     a = -1 / (sign + N[2])
     b = N[0] * N[1] * a
-    X = np.stack((1 + sign * N[0] * N[0] * a, sign * b, -sign * N[0]))
-    Y = np.stack((b, sign + N[1] * N[1] * a, -N[1]))
-    return X, Y
+    X = 1 + sign * N[0] * N[0] * a, sign * b, -sign * N[0]
+    Y = b, sign + N[1] * N[1] * a, -N[1]
+    return np.array((X, Y))

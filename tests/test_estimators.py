@@ -355,6 +355,23 @@ def test_angle_is_an_arctangent_of_two():
         assert np.isnan(angle(np.zeros(1), np.zeros(1))).all()
 
 
+@pytest.mark.parametrize("n", [3, 4, 5, 7, 40, 1000])
+def test_the_total_angle_is_the_sum_of_the_angles(n):
+    """Of flat, pointed and crumpled rings, of quarter turns and of edges that double back."""
+    rng = np.random.default_rng(n)
+    crumpled = rng.normal(size=(3, n, 500))
+    pointed = crumpled + np.array([0, 0, 5])[:, None, None]
+    around = 2 * np.pi * np.arange(n) / n
+    flat = np.array([np.cos(around), np.sin(around), 0 * around])[..., None] * [1, -1e3, 1e-3]
+    quarters = np.array([(1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)]).take(np.arange(n) % 4, 0)
+    there_and_back = np.linspace(1, 2, n) * (-1.0) ** np.arange(n)
+    straight = np.array([there_and_back, 0 * there_and_back, 0 * there_and_back])
+    for e in (crumpled, pointed, flat, quarters.T[..., None], straight[..., None]):
+        with np.errstate(divide="ignore"):
+            ring = Ring(e)
+            np.testing.assert_allclose(ring.total_angle, ring.alpha.sum(0), rtol=1e-12, atol=1e-12)
+
+
 @pytest.mark.parametrize("n", [3, 63, 64, 200, 10000])
 def test_a_high_valence(n):
     """A pyramid whose faces come in any order: the ring of its apex, and values there."""

@@ -3,6 +3,8 @@
 import math
 from typing import Literal
 
+import numpy as np
+
 from curvlib.ring import following
 
 LABEL = "Gauss-Bonnet"
@@ -24,6 +26,6 @@ def estimate(
     beta = ring.beta if dihedral == "signed" else abs(ring.beta)
     if dihedral == "as-printed":
         beta = following(beta)
-    K = (2 * math.pi - ring.alpha.sum(0)) / (ring.A / 2 if area == "half" else cell)
-    H = (ring.lengths * beta).sum(0) / (4 * cell)
+    K = (2 * math.pi - ring.total_angle) / (ring.A / 2 if area == "half" else cell)
+    H = np.einsum("nm,nm->m", ring.lengths, beta) / (4 * cell)
     return K, H

@@ -3,8 +3,9 @@
 import math
 from typing import Literal
 
+import numpy as np
+
 from curvlib.ring import Normal, following, preceding
-from curvlib.vectors import angle
 
 LABEL = "Watanabe-Belyaev"
 STYLE = {"color": "#009E73", "marker": "^", "linestyle": "-"}
@@ -22,10 +23,11 @@ def estimate(
     """
     kn = ring.kn(normal)
     phi = ring.alpha if angles == "spatial" else _between(ring.projected(normal))
-    w = (preceding(phi) + phi) / 2
+    w = preceding(phi)
+    w += phi
     w *= kn
-    H = w.sum(0) / (2 * math.pi)
-    K = 3 * H * H - (w * kn).sum(0) / math.pi
+    H = w.sum(0) / (4 * math.pi)
+    K = 3 * H * H - np.einsum("nm,nm->m", w, kn) / (2 * math.pi)
     return K, H
 
 
@@ -36,4 +38,6 @@ def _between(along):
     """
     (x, y), (x1, y1) = along, following(along)
     # In the canonical frame, seen along -N, the ring runs counter-clockwise about N.
-    return angle(x * x1 + y * y1, x * y1 - y * x1)
+    cosine, sine = x * x1 + y * y1, x * y1 - y * x1 + 0.0
+    # arctan2(sine, cosine), in half its time; pi where sine is a zero, of which no sign is left.
+    return np.copysign(math.pi / 2, sine) - np.arctan(cosine / sine)
