@@ -67,8 +67,8 @@ def specification_curve(claims, readings, claim, surfaces, limit=None, marked=No
 
 def _majority(verdicts):
     """The verdict of more than half, if there is one."""
-    counts = verdicts.value_counts()
-    return counts.index[0] if 2 * counts.iloc[0] > len(verdicts) else NO_MAJORITY
+    most = max(VERDICTS, key=list(verdicts).count)
+    return most if 2 * list(verdicts).count(most) > len(verdicts) else NO_MAJORITY
 
 
 def _curve(axes, curve, limit):

@@ -1,6 +1,7 @@
 """Which code made a result: a digest that a comment or a docstring does not change."""
 
 import ast
+import functools
 import hashlib
 from pathlib import Path
 
@@ -13,10 +14,20 @@ def digest(*files) -> str:
     while todo:
         path = todo.pop()
         if path not in seen:
-            tree = ast.parse(path.read_text())
-            todo += _imports(tree, path)
-            seen[path] = ast.dump(_without_docstrings(tree))
+            seen[path], imports = _parsed(path, path.read_text())
+            todo += imports
     return hashlib.sha256("\n".join(sorted(seen.values())).encode()).hexdigest()[:16]
+
+
+@functools.cache
+def _parsed(path, text):
+    """The syntax tree of a file, without docstrings, as a string, and what it imports.
+
+    Kept, since nearly every job's digest asks for the same files.
+    """
+    tree = ast.parse(text)
+    imports = tuple(_imports(tree, path))
+    return ast.dump(_without_docstrings(tree)), imports
 
 
 def _imports(tree, path):

@@ -19,7 +19,7 @@ more: []
 vary: []
 product: []
 """
-FIGURES = {"claim_plots", "error_plots_K", "error_plots_H", "error_maps"}
+FIGURES = {"claim_plots", "reading_plots", "error_plots_K", "error_plots_H", "error_maps"}
 AGGREGATES = {"accuracy", "claims", *FIGURES, "all"}
 
 

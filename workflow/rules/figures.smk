@@ -2,8 +2,8 @@
 # Figures 3 to 6 among them, SVG and PNG; and what pictures.smk draws.
 from curvlib.claims import CLAIMS
 
-CLAIM_FIGURES = ["claims", *(f"readings-claim-{number}" for number in range(1, len(CLAIMS) + 1))]
-CLAIM_FIGURES += [f"{what}-{q}" for what in ("ranks", "rings") for q in "KH"]
+CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in "KH")]
+READING_FIGURES = [f"readings-claim-{number}" for number in range(1, len(CLAIMS) + 1)]
 ERROR_FIGURES = [figure for quantity in "KH" for figure in error_figures(quantity)]
 
 # What claim 8 is about, with the paper's normals and with exact ones: estimator, variant, label.
@@ -24,7 +24,7 @@ rule figures:
     input:
         expand(
             FIGURES / "{figure}.{kind}",
-            figure=[*ERROR_FIGURES, *CLAIM_FIGURES],
+            figure=[*ERROR_FIGURES, *CLAIM_FIGURES, *READING_FIGURES],
             kind=["svg", "png"],
         ),
         rules.pictures.output,
@@ -70,8 +70,6 @@ rule claim_plots:
     conda:
         "../envs/curvlib.yaml"
     params:
-        readings=study.products() or study.all_readings(),
-        marked=study.named_products(),
         diagonal=study.diagonals[0],
         n=study.resolutions[-1],
         rings=RING_CURVES,
@@ -81,3 +79,23 @@ rule claim_plots:
         code=code("claim_plots", *MODULES),
     script:
         "../scripts/claim_plots.py"
+
+
+rule reading_plots:
+    input:
+        claims=rules.claims.output.claims,
+        summary=rules.claims.output.summary,
+    output:
+        drawn(READING_FIGURES, HOLDS),
+    log:
+        study.results / "logs/reading_plots.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        readings=study.products() or study.all_readings(),
+        marked=study.named_products(),
+        folder=FIGURES,
+        surfaces=list(SURFACES),
+        code=code("reading_plots"),
+    script:
+        "../scripts/reading_plots.py"

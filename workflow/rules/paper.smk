@@ -4,7 +4,10 @@
 from curvlib.claims import NINE, SEVEN
 
 ARTICLE = Path(workflow.basedir, "paper/paper.typ")
-CAPTIONS = {figure: caption(figure) for figure in [*PICTURES, *ERROR_FIGURES, *CLAIM_FIGURES]}
+CAPTIONS = {
+    figure: caption(figure)
+    for figure in [*PICTURES, *ERROR_FIGURES, *CLAIM_FIGURES, *READING_FIGURES]
+}
 
 
 rule paper:

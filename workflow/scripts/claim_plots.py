@@ -1,4 +1,4 @@
-"""Draw the map of readings: specification curves, claims by surface, ranks, shrinking rings."""
+"""Draw the claims by surface, ranks, and errors on shrinking rings."""
 
 import pandas as pd
 
@@ -16,10 +16,6 @@ with logged(snakemake.log[0]):
     shown = chosen(params.surfaces)
     verdicts = evidence.verdicts(claims, params.diagonal)[shown]
     drawn = {"claims": claim_figures.claims_map(verdicts, summary, modules)}
-    for claim in summary.itertuples():
-        about = claim, shown, claim.limit, params.marked
-        curve = claim_figures.specification_curve(claims, params.readings, *about)
-        drawn[f"readings-claim-{claim.claim}"] = curve
     for quantity in "KH":
         drawn[f"ranks-{quantity}"] = figures.rank_plot(ranks, quantity, shown, modules, params.n)
         drawn[f"rings-{quantity}"] = claim_figures.rings_plot(rings, slopes, params.rings, quantity)

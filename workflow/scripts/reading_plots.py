@@ -1,0 +1,18 @@
+"""Draw the map of readings: a specification curve per claim."""
+
+import pandas as pd
+
+from curvlib.claim_figures import specification_curve
+from curvlib.claims import chosen
+from curvlib.figures import save
+from curvlib.job import logged
+
+with logged(snakemake.log[0]):
+    params = snakemake.params
+    claims, summary = map(pd.read_csv, snakemake.input)
+    shown = chosen(params.surfaces)
+    for claim in summary.itertuples():
+        about = claim, shown, claim.limit, params.marked
+        drawn = specification_curve(claims, params.readings, *about)
+        for kind in ("svg", "png"):
+            save(drawn, f"{params.folder}/readings-claim-{claim.claim}.{kind}")
