@@ -1,5 +1,6 @@
 """Every picture, from tables and library files only; the same bytes each time."""
 
+import itertools
 from pathlib import Path
 
 import matplotlib
@@ -71,22 +72,25 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
     return figure
 
 
-def throughput_plot(table) -> Figure:
+def throughput_plot(table, modules) -> Figure:
     """Vertices per second against vertices, one thread, log-log; a panel per kind of mesh.
 
+    `modules`: those of the estimators, by name, for label and style; other methods are black.
     Grey: what the arctangents or one copy of the mesh alone would allow.
     """
     kinds = list(dict.fromkeys(table.mesh))
-    drawn = [m for m in dict.fromkeys(table.method) if m not in LIMITS]
-    # Colours come round again after ten: the marker then tells them apart.
-    styles = {m: {"marker": "os^"[k // 10 % 3], "markersize": 4} for k, m in enumerate(drawn)}
-    styles |= LIMITS
+    others = [m for m in dict.fromkeys(table.method) if m not in modules and m not in LIMITS]
+    markers = dict(zip(others, itertools.cycle("x+*dPh")))
+    styles = {m: {"color": "black", "linewidth": 0.8, "marker": markers[m]} for m in others}
+    styles |= {name: module.STYLE | {"markersize": 4} for name, module in modules.items()} | LIMITS
+    labels = {name: module.LABEL for name, module in modules.items()}
     figure = Figure(figsize=(4.2 * len(kinds) + 2.4, 4.4), layout="constrained")
     panels = figure.subplots(1, len(kinds), sharey=True, squeeze=False)[0]
     for axes, kind in zip(panels, kinds):
         shown = table[(table.mesh == kind) & (table.threads == 1) & table.seconds.notna()]
         for method, curve in shown.groupby("method", sort=False):
-            axes.loglog(curve.vertices, curve.vertices_per_second, label=method, **styles[method])
+            label = labels.get(method, method)
+            axes.loglog(curve.vertices, curve.vertices_per_second, label=label, **styles[method])
         axes.set_title(f"{kind} torus", loc="left")
         axes.set_xlabel("vertices")
         axes.grid(True, which="major", color="0.9", linewidth=0.6)

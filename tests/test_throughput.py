@@ -6,6 +6,7 @@ import pytest
 
 import curvlib
 from curvlib import throughput
+from curvlib.catalogue import estimators
 from curvlib.figures import save, throughput_plot
 
 
@@ -49,5 +50,6 @@ def test_rows_of_processes_of_their_own_make_a_figure(monkeypatch, tmp_path):
     ours, theirs = table[table.method == "watanabe_b"], table[table.method.isin(peers)]
     assert list(ours.threads) == [1, 2]
     assert list(theirs.threads) == [1]
-    save(throughput_plot(table), tmp_path / "figure.svg")
-    assert "watanabe_b" in (tmp_path / "figure.svg").read_text()
+    modules = {"watanabe_b": estimators.module("watanabe_b")}
+    save(throughput_plot(table, modules), tmp_path / "figure.svg")
+    assert "Watanabe B" in (tmp_path / "figure.svg").read_text()

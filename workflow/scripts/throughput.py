@@ -2,6 +2,7 @@
 
 import pandas as pd
 
+from curvlib.catalogue import estimators
 from curvlib.figures import save, throughput_plot
 from curvlib.job import logged
 from curvlib.throughput import rows
@@ -9,4 +10,5 @@ from curvlib.throughput import rows
 with logged(snakemake.log[0]):
     table = pd.DataFrame(rows(snakemake.params.sizes))
     table.to_csv(snakemake.output.table, index=False)
-    save(throughput_plot(table), snakemake.output.figure)
+    modules = {name: estimators.module(name) for name in estimators.names()}
+    save(throughput_plot(table, modules), snakemake.output.figure)
