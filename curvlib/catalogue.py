@@ -56,6 +56,10 @@ class Catalogue:
             sys.modules[key] = module
         return sys.modules[key]
 
+    def modules(self, files: dict) -> dict:
+        """The modules behind names or paths, by the same keys; errors as in `path`."""
+        return {key: self.module(file) for key, file in files.items()}
+
 
 estimators = Catalogue("estimator", "estimators")
 surfaces = Catalogue("surface", "surfaces")

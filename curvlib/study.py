@@ -82,13 +82,14 @@ class Study:
 
     def named_products(self) -> dict[str, str]:
         """The products that some of the `readings` come to: product -> reading."""
+        products = self.products()
         default = {option: self.choices()[option][0] for option in self.product}
-        names = {}
-        for name, reading in self.readings.items():
-            chosen = default | reading
-            found = [product for product, choice in self.products().items() if choice == chosen]
-            names |= dict.fromkeys(found, name)
-        return names
+        return {
+            product: name
+            for name, reading in self.readings.items()
+            for product, choice in products.items()
+            if choice == default | reading
+        }
 
     def changes(self, reading: dict) -> bool:
         """Whether a reading differs from the default one."""

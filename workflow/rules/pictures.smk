@@ -1,9 +1,9 @@
 # In: the meshes; the estimates. Out: the surfaces and the tessellations of one, the paper's
 # Figures 1 and 2; exact curvature on all surfaces; the errors of the estimates on one.
-from curvlib.claims import SEVEN
+from curvlib.claims import SEVEN, chosen
 
 # The paper's surfaces first, in its order; the one that it looks at closely, else the first.
-IN_ORDER = [s for s in SEVEN if s in SURFACES] + [s for s in SURFACES if s not in SEVEN]
+IN_ORDER = list(dict.fromkeys([*chosen(SURFACES), *SURFACES]))
 LOOKED_AT = "teapot_spout" if "teapot_spout" in SURFACES else IN_ORDER[0]
 GRID = study.diagonals[0]
 
@@ -13,7 +13,6 @@ RENDERER = os.environ.get("CURVLIB_RENDERER", "")
 # Round enough to the eye.
 ROUND = min((n for diagonal, n in CUTS if diagonal == GRID), key=lambda n: abs(n - 64))
 SEEN = [(s, GRID, ROUND) for s in IN_ORDER]
-
 
 PICTURES = [
     "figure-1",
@@ -38,7 +37,7 @@ rule pictures:
         renderer=RENDERER,
         surfaces=SURFACES,
         numbers={s: number for number, s in enumerate(dict.fromkeys([*SEVEN, *IN_ORDER]), 1)},
-        paper=[mesh for mesh in SEEN if mesh[0] in SEVEN] or SEEN,
+        paper=SEEN[: len(chosen(SURFACES))],
         all=SEEN,
         tessellations=[(LOOKED_AT, GRID, n) for n in study.resolutions],
         code=code("pictures", *map(surfaces.path, study.surfaces)),

@@ -11,8 +11,7 @@ with logged(snakemake.log[0]):
     inputs, params = snakemake.input, snakemake.params
     claims, summary, ranks, slopes = map(pd.read_csv, inputs[:4])
     rings = pd.concat(map(pd.read_csv, inputs.rings))
-    modules = {name: estimators.module(file) for name, file in params.estimators.items()}
-    modules |= {name: surfaces.module(file) for name, file in params.surfaces.items()}
+    modules = estimators.modules(params.estimators) | surfaces.modules(params.surfaces)
     shown = chosen(params.surfaces)
     verdicts = evidence.verdicts(claims, params.diagonal)[shown]
     drawn = {"claims": claim_figures.claims_map(verdicts, summary, modules)}

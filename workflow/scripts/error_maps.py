@@ -13,7 +13,7 @@ with logged(snakemake.log[0]):
     key, draw = params.mesh, renderer()
     mesh = load_library(*inputs.library).only([key])[key]
     values = {name: read_values(f, [key])[key] for name, f in zip(params.estimators, inputs.values)}
-    modules = {name: estimators.module(file) for name, file in params.estimators.items()}
+    modules = estimators.modules(params.estimators)
     surface = surfaces.module(params.surface)
     for quantity in "KH":
         drawn = pictures.error_map(mesh, values, quantity, surface, modules, draw)

@@ -9,8 +9,7 @@ from curvlib.job import logged
 with logged(snakemake.log[0]):
     params = snakemake.params
     errors, convergence = map(pd.read_csv, snakemake.input)
-    modules = {name: estimators.module(file) for name, file in params.estimators.items()}
-    modules |= {name: surfaces.module(file) for name, file in params.surfaces.items()}
+    modules = estimators.modules(params.estimators) | surfaces.modules(params.surfaces)
     for figure, (surface, resolutions) in params.figures.items():
         points = errors[errors.n.isin(resolutions)]
         drawn = error_plot(points, convergence, surface, params.quantity, modules)

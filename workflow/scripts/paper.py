@@ -6,13 +6,12 @@ from curvlib.job import logged
 
 with logged(snakemake.log[0]):
     params = snakemake.params
-    labels = {name: estimators.module(file).LABEL for name, file in params.estimators.items()}
-    labels |= {name: surfaces.module(file).LABEL for name, file in params.surfaces.items()}
+    modules = estimators.modules(params.estimators) | surfaces.modules(params.surfaces)
     article.typeset(
         params.article,
         snakemake.output[0],
         params.results,
-        labels=labels,
+        labels={name: module.LABEL for name, module in modules.items()},
         captions={figure: article.caption(file) for figure, file in params.captions.items()},
         citation=snakemake.input.citation,
         **params.quoted,

@@ -10,7 +10,7 @@ from curvlib.render import renderer
 with logged(snakemake.log[0]):
     params, output = snakemake.params, snakemake.output
     library, draw = load_library(*snakemake.input.library), renderer()
-    modules = {name: surfaces.module(file) for name, file in params.surfaces.items()}
+    modules = surfaces.modules(params.surfaces)
     meshes = dict(library.only(params.all))
     paper = {key: meshes[key] for key in params.paper}
     save(pictures.surface_plate(paper, params.numbers, modules, draw), output.surfaces)
