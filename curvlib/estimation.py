@@ -2,7 +2,6 @@
 
 import inspect
 from collections import namedtuple
-from concurrent.futures import ThreadPoolExecutor
 from typing import get_args
 
 import numpy as np
@@ -10,14 +9,13 @@ import numpy as np
 from .catalogue import estimators
 from .errors import InputError, check_name
 from .mesh import as_mesh
-from .ring import Ring
+from .parallel import for_each
 
 Estimates = namedtuple("Estimates", "K H")
 Estimates.__doc__ = """Pointwise estimates K and H, (V,) float64 each; NaN where undefined."""
 
-# Ring slots (valence times vertices) per chunk: some dozens of arrays of 512 KiB stay in cache.
-# Several threads take twice as many, so that they wait less for Python's lock.
-CHUNK = 65536
+# Ring slots (valence times vertices) per block: some dozens of arrays of 192 KiB.
+BLOCK = 24576
 # Having seen a block of this size freed, glibc's malloc takes no more of such a size from the
 # system and gives none back: every temporary array would otherwise be new pages, to be zeroed.
 np.empty(31 << 20, dtype=np.uint8)
@@ -55,6 +53,9 @@ def estimate(mesh, estimator, threads: int = 1, **options):
 
     Raises InputError for an unknown estimator or option and for what is no triangle mesh.
     """
+    # Compiled code, which takes longer to import than all of curvlib.
+    from .ring import around, spread
+
     mesh = as_mesh(mesh)
     if threads < 1:
         raise InputError(f"threads: {threads!r} is not a number of at least 1")
@@ -64,47 +65,40 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         check_options(name, options)
         results[name] = Estimates(*np.full((2, len(mesh.vertices)), np.nan))
         function = estimators.module(name).estimate
-        whole_mesh = next(iter(inspect.signature(function).parameters)) == "mesh"
-        (of_mesh if whole_mesh else of_ring).append((function, results[name]))
+        # All of them, since each set of given ones would be compiled anew.
+        chosen = {option: values[0] for option, values in readings(name).items()} | options
+        task = (function, chosen, results[name])
+        (of_mesh if takes_mesh(function) else of_ring).append(task)
 
-    def store(given, at, functions):
+    def store(given, at, start, tasks):
         # Set here, since threads do not take it over from their caller.
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            for function, result in functions:
-                for target, value in zip(result, function(given, **options)):
-                    if value is not None:
-                        # The one place where undefined becomes NaN.
-                        target[at] = np.where(np.isfinite(value), value, np.nan)
+            for function, chosen, result in tasks:
+                for target, values in zip(result, function(given, **chosen)):
+                    if values is not None:
+                        spread(np.ascontiguousarray(values, dtype=float), at, start, target)
 
-    store(mesh, slice(None), of_mesh)
-    coordinates = np.ascontiguousarray(mesh.vertices.T)
-    normals = None if mesh.normals is None else np.ascontiguousarray(mesh.normals.T)
+    def work(block):
+        (at, neighbours), start, end = block
+        store(around(mesh.vertices, normals, at, neighbours, start, end), at, start, of_ring)
 
-    def work(chunk):
-        at, neighbours = chunk
-        # The first neighbour once more behind the last: what follows is a view.
-        neighbours = neighbours.astype(np.intp)
-        e = np.empty((3, len(neighbours) + 1, len(at)))
-        for x, ex in zip(coordinates, e):
-            # mode="clip": "raise" writes to a copy first.
-            x.take(neighbours, out=ex[:-1], mode="clip")
-            ex[:-1] -= x.take(at)
-        e[:, -1] = e[:, 0]
-        ring = Ring(e[:, :-1], None if normals is None else normals[:, at], e[:, 1:])
-        store(ring, at, of_ring)
-
-    with ThreadPoolExecutor(threads) as pool:
-        # A thread to wait for is what a small mesh would spend most of its time on.
-        apply = pool.map if threads > 1 else map
-        if of_ring:
-            size = CHUNK if threads == 1 else 2 * CHUNK
-            list(apply(work, _chunks(mesh.find_rings(apply), size)))
+    if of_mesh:
+        store(mesh, np.arange(len(mesh.vertices), dtype=np.int32), 0, of_mesh)
+    if of_ring:
+        normals = np.empty((0, 3)) if mesh.normals is None else mesh.normals
+        for_each(work, list(_blocks(mesh.find_rings(threads))), threads)
     return results if several else results[estimator]
 
 
-def _chunks(rings, size):
-    """Yield (vertices (m,), neighbours (n, m)) over closed one-rings, `size` slots at a time."""
-    for vertices, neighbours in rings:
-        step = max(1, size // len(neighbours))
+def takes_mesh(function) -> bool:
+    """Whether an estimator takes the whole mesh instead of a batch of one-rings."""
+    return next(iter(inspect.signature(function).parameters)) == "mesh"
+
+
+def _blocks(rings):
+    """Yield (batch, start, end): batches of one-rings, BLOCK slots at a time."""
+    for batch in rings:
+        vertices, neighbours = batch
+        step = max(1, BLOCK // len(neighbours))
         for start in range(0, len(vertices), step):
-            yield vertices[start : start + step], neighbours[:, start : start + step]
+            yield batch, start, min(start + step, len(vertices))

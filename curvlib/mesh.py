@@ -5,11 +5,12 @@ from functools import cached_property
 import numpy as np
 
 from .errors import InputError
+from .parallel import for_each
 
-# Corners per chunk of the walk around vertices: a few arrays of 256 KiB stay in cache.
-CHUNK = 65536
-# From this valence on neighbours are matched by sorting: at most 256, since slots are bytes.
-SORTED = 64
+# Rings are found for 2^SHIFT vertices at a time, whose corners stay in cache, and faces dealt out
+# to these in parts.
+SHIFT = 14
+PART = 65536
 
 # Exact values that a mesh can carry, with the shape behind V.
 FIELDS = {
@@ -95,110 +96,55 @@ class Mesh:
 
     @cached_property
     def rings(self):
-        """Closed one-rings by valence n: list of (vertices (m,), neighbours (n, m)), n rising.
+        """Closed one-rings in batches of equal valence n: list of (vertices (m,), neighbours
+        (n, m)), int32; a valence may have several batches.
 
         Neighbours run counter-clockwise. Vertices whose triangles do not close to exactly one
         cycle are in no batch.
         """
         return self.find_rings()
 
-    def find_rings(self, apply=map):
-        """`rings`, by an `apply` that may call the function on several chunks at a time."""
+    def find_rings(self, threads: int = 1):
+        """`rings`, found by several threads if they are not known yet."""
         if "rings" in self.__dict__:
             return self.rings
-        first, corners = self._corners(apply)
-        valence = np.diff(first)
-        batches, todo = [], []
-        for n in np.flatnonzero(np.bincount(valence)):
-            if n < 3:
-                continue
-            vertices = np.flatnonzero(valence == n)
-            neighbours = np.empty((n, len(vertices)), dtype=np.int32)
-            closed = np.empty(len(vertices), dtype=bool)
-            batches.append((vertices, neighbours, closed))
-            step = max(1, CHUNK // n)
-            for start in range(0, len(vertices), step):
-                part = slice(start, start + step)
-                todo.append((first[vertices[part]], neighbours[:, part], closed[part]))
+        # Compiled code, which takes longer to import than all of curvlib.
+        from . import corners
 
-        def walk(chunk):
-            at, neighbours, closed = chunk
-            at_v = corners.take(at + np.arange(len(neighbours))[:, None])
-            neighbours[:], closed[:] = _walk(at_v)
+        total = len(self.vertices)
+        parts = [slice(k, k + PART) for k in range(0, len(self.faces), PART)]
+        counts = np.zeros((len(parts), (total >> SHIFT) + 1), dtype=np.intp)
+        places = np.zeros(counts.size + 1, dtype=np.intp)
+        dealt = np.empty((3 * len(self.faces), 3), dtype=np.int32)
 
-        list(apply(walk, todo))
-        self.__dict__["rings"] = [
-            (vertices, neighbours) if closed.all() else (vertices[closed], neighbours[:, closed])
-            for vertices, neighbours, closed in batches
-            if closed.any()
-        ]
+        def count(part):
+            corners.count(self.faces[parts[part]], SHIFT, counts[part])
+
+        def deal(part):
+            corners.deal(self.faces[parts[part]], SHIFT, starts[part], dealt)
+
+        def walk(bucket):
+            first = bucket << SHIFT
+            own = dealt[ends[bucket] : ends[bucket + 1]]
+            return list(_batches(*corners.walk(own, first, min(1 << SHIFT, total - first), total)))
+
+        for_each(count, range(len(parts)), threads)
+        # Bucket by bucket, and in each part by part: in the order of the faces.
+        counts.T.cumsum(out=places[1:])
+        starts = places[:-1].reshape(counts.shape[::-1]).T.copy()
+        for_each(deal, range(len(parts)), threads)
+        ends = places[:: len(parts)] if parts else []
+        found = for_each(walk, range(len(ends) - 1), threads)
+        self.__dict__["rings"] = [batch for batches in found for batch in batches]
         return self.rings
 
-    def _corners(self, apply):
-        """Where each vertex's corners begin (V + 1,), and the corners (3 F,), vertex by vertex:
-        the two int32 vertices that follow the corner's own in its face, packed into an int64."""
-        # Imported here, since it takes longer than importing all of curvlib.
-        from scipy.sparse import csr_array
 
-        count = len(self.faces)
-        faces = np.empty((count, 3), dtype=np.int32)
-        others = np.empty((count, 3), dtype=np.int64)
-
-        def pack(start):
-            part = slice(start, start + CHUNK)
-            faces[part] = self.faces[part]
-            pairs = others[part].view(np.int32)
-            faces[part].take((1, 2, 2, 0, 0, 1), axis=1, out=pairs, mode="clip")
-
-        list(apply(pack, range(0, count, CHUNK)))
-        # Its conversion to columns is a counting sort, by int32 indices twice as fast.
-        indptr = np.arange(0, 3 * count + 1, 3, dtype=np.int32)
-        rows = (others.ravel(), faces.ravel(), indptr)
-        columns = csr_array(rows, shape=(count, len(self.vertices))).tocsc()
-        return columns.indptr, columns.data
-
-
-def _walk(corners):
-    """Neighbours (n, m) in the order of a walk around each vertex, and (m,) bool whether it came
-    by all n corners (n, m) and back."""
-    n, m = corners.shape
-    here, there = corners.view(np.int32).reshape(n, m, 2).transpose(2, 0, 1).copy()
-    after, closed = (_compared if n < SORTED else _sorted)(here, there)
-    # From slots of each column to places in the whole array.
-    after = after * np.intp(m)
-    after += np.arange(m)
-    walk = np.empty((n, m), dtype=np.intp)
-    walk[0] = start = np.arange(m)
-    for k in range(1, n):
-        after.take(walk[k - 1], out=walk[k], mode="clip")
-        closed &= walk[k] != start
-    closed &= after.take(walk[-1]) == start
-    return here.take(walk), closed
-
-
-def _compared(here, there):
-    """The slot of `here` (n, m) where each of `there` (n, m) is found in the same column, the
-    last if there are several, and (m,) bool whether all are found.
-
-    All are compared with all, in bytes.
-    """
-    after = np.zeros(here.shape, dtype=np.uint8)
-    found = np.empty(here.shape, dtype=bool)
-    slot = found.view(np.uint8)
-    for k, vertex in enumerate(here):
-        np.equal(there, vertex, out=found)
-        slot *= np.uint8(k + 1)
-        np.maximum(after, slot, out=after)
-    return after - np.intp(1), (after > 0).all(0)
-
-
-def _sorted(here, there):
-    """As `_compared`, in less time where n is large: the sorted ones are the same."""
-    by_here, by_there = here.argsort(0), there.argsort(0)
-    after = np.empty_like(by_here)
-    np.put_along_axis(after, by_there, by_here, 0)
-    same = np.take_along_axis(here, by_here, 0) == np.take_along_axis(there, by_there, 0)
-    return after, same.all(0)
+def _batches(rings, vertices, neighbours):
+    """Yield the batches, whose numbers of rings by valence are known."""
+    for n in np.flatnonzero(rings):
+        m = rings[n]
+        yield vertices[:m], neighbours[: n * m].reshape(n, m)
+        vertices, neighbours = vertices[m:], neighbours[n * m :]
 
 
 def as_mesh(obj) -> Mesh:

@@ -1,13 +1,12 @@
 """A NURBS surface with its exact curvature: everywhere, at poles, on seams and knot lines."""
 
+import itertools
 from collections import namedtuple
 
 import numpy as np
 
 from .errors import InputError
-from .fit import least_squares
 from .patches import Patches
-from .vectors import cross, dot, norm
 
 Curvature = namedtuple("Curvature", "K H k1 k2 d1 d2 smooth normal")
 Curvature.__doc__ = """Exact curvature at points of a surface, pointwise.
@@ -52,9 +51,11 @@ class Surface:
 
     def point(self, u, v):
         """S(u, v), shape (..., 3); u, v broadcast. InputError outside the domain."""
+        # Compiled code, which takes longer to import than all of curvlib.
+        from . import exact
+
         (u, v), shape = self._arguments(u, v)
-        (span_u, u), (span_v, v) = (self._sides(axis, t)[1] for axis, t in enumerate((u, v)))
-        return self._patches.evaluate(u, v, span_u, span_v, order=0)[0].T.reshape(*shape, 3)
+        return exact.points(self._patches.pieces, self.closed, u, v).reshape(*shape, 3)
 
     def normal(self, u, v):
         """Unit normal, shape (..., 3); NaN where the one-sided normals differ."""
@@ -67,28 +68,24 @@ class Surface:
         meridians.
         """
         (u, v), shape = self._arguments(u, v)
-        below_u, above_u = self._sides(0, u)
-        below_v, above_v = self._sides(1, v)
-        values = self._one_sided(*above_u, *above_v)
-        on_joint = np.flatnonzero((below_u[0] != above_u[0]) | (below_v[0] != above_v[0]))
-        smooth, one_normal = np.isfinite(values[0]), np.isfinite(values[-1])
-        sides = np.array(
-            [
-                self._one_sided(*(x[on_joint] for x in (*side_u, *side_v)))
-                for side_u in (below_u, above_u)
-                for side_v in (below_v, above_v)
-            ]
-        )
-        smooth[on_joint], one_normal[on_joint] = self._agree(sides)
-        for (axis, end), pole in self._poles.items():
+        numbers, vectors = self._one_sided(u, v, True, True)
+        smooth, one_normal = np.isfinite(numbers[0]), np.isfinite(vectors[2, :, 0])
+        on_joint = np.flatnonzero(self._on_joint(0, u) | self._on_joint(1, v))
+        if len(on_joint):
+            sides = itertools.product((False, True), repeat=2)
+            sides = [self._one_sided(u[on_joint], v[on_joint], *side) for side in sides]
+            smooth[on_joint], one_normal[on_joint] = self._agree(*zip(*sides))
+        for (axis, end), (pole_numbers, pole_vectors) in self._poles.items():
             here = (u, v)[axis] == self.domain[axis][end]
             if here.any():
-                values[:, here] = pole[:, None]
-                smooth[here], one_normal[here] = np.isfinite(pole[0]), np.isfinite(pole[-1])
-        values[:-3, ~smooth] = np.nan
-        values[-3:, ~one_normal] = np.nan
-        d1, d2, normal = (x.T.reshape(*shape, 3) for x in np.split(values[4:], 3))
-        return Curvature(*values[:4].reshape(4, *shape), d1, d2, smooth.reshape(shape), normal)
+                numbers[:, here], vectors[:, here] = pole_numbers[:, None], pole_vectors[:, None]
+                smooth[here] = np.isfinite(pole_numbers[0])
+                one_normal[here] = np.isfinite(pole_vectors[2, 0])
+        numbers[:, ~smooth], vectors[:2, ~smooth] = np.nan, np.nan
+        vectors[2, ~one_normal] = np.nan
+        d1, d2, normal = vectors.reshape(3, *shape, 3)
+        numbers = numbers.reshape(4, *shape)
+        return Curvature(*numbers, d1, d2, smooth.reshape(shape), normal)
 
     def _arguments(self, u, v):
         u, v = np.broadcast_arrays(np.asarray(u, float), np.asarray(v, float))
@@ -101,99 +98,86 @@ class Surface:
                 )
         return (u.ravel(), v.ravel()), u.shape
 
-    def _sides(self, axis, t):
-        """(span, parameter) below and above every t; across a seam the other end of the domain."""
+    def _on_joint(self, axis, t):
+        """Whether more than one piece meets at every parameter t."""
         breaks = self._patches.breaks[axis]
-        last = len(breaks) - 2
-        below = np.searchsorted(breaks, t, side="left") - 1
-        above = np.searchsorted(breaks, t, side="right") - 1
-        if not self.closed[axis]:
-            return (np.maximum(below, 0), t), (np.minimum(above, last), t)
-        before, after = below < 0, above > last
-        return (
-            (np.where(before, last, below), np.where(before, breaks[-1], t)),
-            (np.where(after, 0, above), np.where(after, breaks[0], t)),
-        )
+        joint = np.zeros(t.shape, dtype=bool)
+        for line in breaks if self.closed[axis] else breaks[1:-1]:
+            joint |= t == line
+        return joint
 
-    def _agree(self, sides):
-        """Whether curvatures, and whether normals, of all sides (sides, 13, m) are the same."""
-        one_normal = np.ptp(sides[:, -3:], axis=0).max(0) <= AGREE_NORMAL
-        scale = np.maximum(np.abs(sides[:, 2:4]).max((0, 1)), 1 / self._patches.size)
-        same_K = np.ptp(sides[:, 0], axis=0) <= AGREE * scale * scale
-        same_H = np.ptp(sides[:, 1], axis=0) <= AGREE * scale
+    def _agree(self, numbers, vectors):
+        """Whether curvatures, and whether normals, of all sides are the same."""
+        K, H, k1, k2 = np.stack(numbers, axis=1)
+        one_normal = np.ptp(np.stack(vectors)[:, 2], axis=0).max(1) <= AGREE_NORMAL
+        scale = np.maximum(np.abs((k1, k2)).max((0, 1)), 1 / self._patches.size)
+        same_K = np.ptp(K, axis=0) <= AGREE * scale * scale
+        same_H = np.ptp(H, axis=0) <= AGREE * scale
         return same_K & same_H & one_normal, one_normal
 
-    def _one_sided(self, span_u, u, span_v, v):
-        """K, H, k1, k2 and the components of d1, d2 and the normal, (13, m); NaN at a singular
-        point.
+    def _one_sided(self, u, v, above_u, above_v):
+        """K, H, k1, k2 (4, m) and d1, d2, the normal (3, m, 3) of one side of every point; NaN
+        at a singular one."""
+        # Compiled code, which takes longer to import than all of curvlib.
+        from . import exact
 
-        The second fundamental form is taken in the orthonormal frame of S_u / |S_u| and
-        n x S_u / |S_u|: there k1 - k2 is a length, exact also where k1 = k2.
-        """
-        _, S_u, S_v, S_uu, S_uv, S_vv = self._patches.evaluate(u, v, span_u, span_v)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            n = cross(S_u, S_v)
-            area, p = norm(n), norm(S_u)
-            n /= np.where(area > 1e-13 * p * norm(S_v), area, np.nan)
-            q, r = dot(S_u, S_v) / p, area / p
-            L, M, N = -dot(S_uu, n), -dot(S_uv, n), -dot(S_vv, n)
-            a = L / (p * p)
-            b = (M / p - q * a) / r
-            c = (N - q * q * a - 2 * q * r * b) / (r * r)
-            return _principal(a, b, c, S_u / p, n, self._patches.size)
+        pieces, size = self._patches.pieces, self._patches.size
+        return exact.curvatures(pieces, self.closed, size, u, v, above_u, above_v)
 
     def _pole(self, axis, end):
-        """As `_one_sided`, (13,), at a pole; NaN where the surface is not C^2 (not C^1) there.
+        """As `_one_sided`, (4,) and (3, 3), at a pole; NaN where the surface is not C^2 (not
+        C^1) there.
 
         Every meridian passes through the pole, so each gives II(d, d) = S_vv . n in its own
         direction d = S_v; all of them together have to be one quadratic form.
         """
+        from . import exact
+
         breaks = self._patches.breaks[1 - axis]
         steps = np.arange(1, POLE_MERIDIANS + 1) / (POLE_MERIDIANS + 1)
         around = (breaks[:-1, None] + np.diff(breaks)[:, None] * steps).ravel()
-        span = np.repeat(np.arange(len(breaks) - 1), POLE_MERIDIANS)
         edge = np.full_like(around, self.domain[axis][end])
-        edge_span = np.full_like(span, 0 if end == 0 else len(self._patches.breaks[axis]) - 2)
-        if axis == 1:
-            _, _, along, _, across, second = self._patches.evaluate(around, edge, span, edge_span)
-        else:
-            _, along, _, second, across, _ = self._patches.evaluate(edge, around, edge_span, span)
-            across = -across
-        return _from_meridians(along, second, across if end == 0 else -across, self._patches.size)
+        # The one piece that there is: at a pole no seam is crossed.
+        u, v = (edge, around) if axis == 0 else (around, edge)
+        sides = [
+            [exact.side(b, closed, x, True) for x in t]
+            for b, closed, t in zip(self._patches.breaks, self.closed, (u, v))
+        ]
+        S = [exact.derivatives(self._patches.pieces, *a, *b) for a, b in zip(*sides)]
+        S = np.moveaxis(S, 0, 1)
+        along, second = (S[1], S[3]) if axis == 0 else (S[2], S[5])
+        # S_uv x S_v is outward where v leaves the pole, S_u x S_uv where u does.
+        across = S[4] if (axis == 1) == (end == 0) else -S[4]
+        return _from_meridians(along, second, across, self._patches.size)
 
 
 def _from_meridians(along, second, across, size):
-    """Pole values (13,) from the first (3, m) and second derivatives along the meridians through
-    it, and the derivative `across` them of the first, signed so that across x along is outward."""
-    nothing = np.full(13, np.nan)
-    speed = norm(along)
+    """Pole values from the first (m, 3) and second derivatives along the meridians through it,
+    and the derivative `across` them of the first, signed so that across x along is outward."""
+    from . import exact
+    from .fit import least_squares
+
+    numbers, vectors = np.full(4, np.nan), np.full((3, 3), np.nan)
+    speed = np.sqrt(_dot(along, along))
     if not (speed > 1e-12 * size).all():
-        return nothing
-    d = along / speed
-    n = cross(across, along).sum(1)
-    n /= norm(n)
-    if np.abs(dot(d, n[:, None])).max() > AGREE_NORMAL:
-        return nothing
-    e1 = d[:, 0] - n * dot(n, d[:, 0])
-    e1 /= norm(e1)
-    x, y = dot(d, e1[:, None]), dot(d, cross(n, e1)[:, None])
-    kn = -dot(second, n[:, None]) / (speed * speed)
-    columns = np.array([x * x, 2 * x * y, y * y])
-    form = least_squares(columns[..., None], kn[:, None])[:, 0]
-    residual = np.abs(dot(columns, form[:, None]) - kn).max()
-    smooth = residual <= AGREE * max(np.abs(kn).max(), 1 / size)
-    return _principal(*form, e1, n, size) if smooth else np.array([*nothing[:-3], *n])
+        return numbers, vectors
+    d = along / speed[:, None]
+    n = np.cross(across, along).sum(0)
+    with np.errstate(invalid="ignore"):
+        n /= np.sqrt(_dot(n, n))
+    if np.abs(_dot(d, n)).max() > AGREE_NORMAL:
+        return numbers, vectors
+    e1 = d[0] - n * _dot(n, d[0])
+    e1 /= np.sqrt(_dot(e1, e1))
+    x, y, kn = _dot(d, e1), _dot(d, np.cross(n, e1)), -_dot(second, n) / (speed * speed)
+    columns = np.array([x * x, 2 * x * y, y * y, kn])
+    form = least_squares(columns[:, :, None].copy())[:, 0]
+    residual = np.abs(form @ columns[:3] - kn).max()
+    if residual <= AGREE * max(np.abs(kn).max(), 1 / size):
+        exact.principal(*form, tuple(e1), tuple(n), size, numbers, vectors)
+    vectors[2] = n
+    return numbers, vectors
 
 
-def _principal(a, b, c, e1, n, size):
-    """K, H, k1, k2, d1, d2, n (13, ...) of the form [[a, b], [b, c]] in the frame e1, n x e1."""
-    H, half = (a + c) / 2, (a - c) / 2
-    gap = np.sqrt(half * half + b * b)
-    k1, k2 = H + gap, H - gap
-    # (half + gap, b) and (b, gap - half) both point along k1; of two the longer does not cancel.
-    steep = half < 0
-    x, y = np.where(steep, b, half + gap), np.where(steep, gap - half, b)
-    scale = np.maximum(np.maximum(np.abs(k1), np.abs(k2)), 1 / size)
-    length = np.where(gap > AGREE * scale, np.sqrt(x * x + y * y), np.nan)
-    d1 = (x * e1 + y * cross(n, e1)) / length
-    return np.array([a * c - b * b, H, k1, k2, *d1, *cross(n, d1), *n])
+def _dot(a, b):
+    return (a * b).sum(-1)

@@ -3,9 +3,9 @@
 import numpy as np
 
 from .catalogue import estimators
-from .estimation import estimate
+from .estimation import estimate, takes_mesh
 from .mesh import Mesh
-from .ring import Ring
+from .ring import one_ring
 
 # Standard deviation of the displacement, as a fraction of the mean edge.
 SIGMAS = (0.0, 0.001, 0.01, 0.05)
@@ -63,7 +63,7 @@ def ring_rows(estimator: str, variants: dict, seed: int = 0):
     tangent plane, `irregular` ones jittered in both. An estimator of whole meshes has no rows.
     """
     function = estimators.module(estimator).estimate
-    if function.__code__.co_varnames[0] == "mesh":
+    if takes_mesh(function):
         return
     for n in VALENCES:
         for kind, jitter in (("regular", 0.0), ("irregular", 0.2)):
@@ -81,7 +81,7 @@ def ring_rows(estimator: str, variants: dict, seed: int = 0):
                 z = 2 * f / (b + np.sqrt(b * b - 2 * r * f))
                 up = np.zeros((3, RING_DRAWS))
                 up[2] = 1
-                ring = Ring(np.stack((x, y, z)), up)
+                ring = one_ring(np.stack((x, y, z)), up)
                 for variant, options in variants.items():
                     with np.errstate(divide="ignore", invalid="ignore"):
                         found = function(ring, **options)

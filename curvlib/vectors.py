@@ -1,34 +1,53 @@
-"""Vectors as component-first arrays (3, ...): plain sums of products, the same bytes everywhere."""
+"""Vectors as triples of numbers, in compiled loops."""
 
-import numpy as np
+import math
+
+from .compiled import compiled
 
 
+@compiled
+def at(a, *index):
+    """The vector at an index of a component-first array (3, ...)."""
+    return a[(0, *index)], a[(1, *index)], a[(2, *index)]
+
+
+@compiled
+def add(a, x, b):
+    """a + x b."""
+    return a[0] + x * b[0], a[1] + x * b[1], a[2] + x * b[2]
+
+
+@compiled
+def divide(a, x):
+    """a / x."""
+    return a[0] / x, a[1] / x, a[2] / x
+
+
+@compiled
 def dot(a, b):
-    """a . b, shape (...)."""
-    out = a[0] * b[0]
-    for k in (1, 2):
-        out += a[k] * b[k]
-    return out
+    """a . b."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
+@compiled
 def norm(a):
-    """|a|, shape (...)."""
-    return np.sqrt(dot(a, a))
+    """|a|."""
+    return math.sqrt(dot(a, a))
 
 
-def cross(a, b, out=None):
-    """a x b, shape (3, ...)."""
-    out = np.empty(np.broadcast_shapes(a.shape, b.shape)) if out is None else out
-    for k, (i, j) in enumerate(((1, 2), (2, 0), (0, 1))):
-        np.multiply(a[i], b[j], out=out[k, ...])
-        out[k, ...] -= a[j] * b[i]
-    return out
+@compiled
+def cross(a, b):
+    """a x b."""
+    return (
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    )
 
 
+@compiled
 def angle(x, y):
-    """Angle of (x, y) from the x axis in (-pi, pi]: arctan2(y, x) in half its time, but NaN at
-    the origin and pi where y = -0.0."""
-    out = np.arctan(y / x)
-    behind = np.flatnonzero(np.signbit(x))
-    out.ravel()[behind] += np.copysign(np.pi, y.take(behind) + 0.0)
-    return out
+    """Angle of (x, y) from the x axis, in (-pi, pi]: arctan2(y, x) in less time, but NaN at the
+    origin and pi where x < 0 and y = -0.0."""
+    out = math.atan(y / x)
+    return out + math.copysign(math.pi, y + 0.0) if math.copysign(1.0, x) < 0 else out

@@ -18,17 +18,21 @@ PACKAGE = Path(curvlib.__file__).parent
 # Each module and what of curvlib it may import; estimators and surfaces as folders.
 IMPORTS = {
     "errors": set(),
-    "vectors": set(),
-    "fit": set(),
+    "compiled": set(),
+    "vectors": {"compiled"},
+    "fit": {"compiled"},
     "catalogue": {"errors"},
     "patches": set(),
-    "nurbs": {"errors", "fit", "patches", "vectors"},
+    "exact": {"compiled", "vectors"},
+    "nurbs": {"errors", "exact", "fit", "patches"},
     "surfaces": {"surfaces", "catalogue", "nurbs"},
-    "ring": {"errors", "vectors"},
-    "mesh": {"errors"},
+    "ring": {"compiled", "errors", "vectors"},
+    "parallel": set(),
+    "corners": {"compiled"},
+    "mesh": {"corners", "errors", "parallel"},
     "tessellation": {"errors", "mesh", "nurbs"},
-    "estimators": {"estimators", "fit", "ring", "vectors"},
-    "estimation": {"catalogue", "errors", "mesh", "ring"},
+    "estimators": {"compiled", "estimators", "fit", "ring", "vectors"},
+    "estimation": {"catalogue", "errors", "mesh", "parallel", "ring"},
     "meshfile": {"mesh"},
     "library": {"errors", "mesh", "meshfile", "nurbs", "tessellation"},
     "dataset": {"library"},
@@ -77,7 +81,7 @@ def test_imports_point_one_way():
 
 
 def test_an_import_brings_nothing_heavy():
-    heavy = "scipy pandas matplotlib pyvista h5py pooch snakemake"
+    heavy = "numba scipy pandas matplotlib pyvista h5py pooch snakemake"
     code = f"import sys, curvlib; print([m for m in '{heavy}'.split() if m in sys.modules])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"

@@ -5,9 +5,10 @@ from typing import Literal
 
 import numpy as np
 
+from curvlib.compiled import compiled
 from curvlib.fit import least_squares
-from curvlib.ring import Normal
-from curvlib.vectors import dot
+from curvlib.ring import Normal, canonical, unit_normal
+from curvlib.vectors import at, dot
 
 LABEL = "Circular fitting"
 STYLE = {"color": "#E69F00", "marker": "v", "linestyle": "-"}
@@ -18,98 +19,125 @@ CIRCLES = 3  # the least number that determines A, B and C
 Pairs = Literal["opposite", "ring-opposite", "above-120", "above-90", "all"]
 
 
+@compiled
 def estimate(ring, normal: Normal = "uniform", pairs: Pairs = "opposite"):
     """K = A^2 - B^2 - C^2 and H = A of kn = A + B cos 2 alpha + C sin 2 alpha (3.7), fitted by
     least squares to circles through v and the chosen pairs of neighbours."""
-    unit = ring.e / ring.lengths
-    n, m = ring.lengths.shape
-    cosine = np.empty((n * (n - 1) // 2, m))
-    for rows, gap in _blocks(n):
-        cosine[rows] = dot(unit[:, :-gap], unit[:, gap:])
-    use = _chosen(cosine, n, pairs)
-    use &= (ring.squares > 0).all(0)
-    place, i, j = _used(use, n)
-
-    # Inverted at v, the circle is the line through p_i = e_i / |e_i|^2 and p_j. Its point next
-    # to v is half the curvature vector of the circle, of which kn is the part along N_v (2.1).
-    p = [c / ring.squares for c in ring.canonical(normal)]
-    p, q = [c.take(i) for c in p], [c.take(j) for c in p]
-    for k in range(3):
-        q[k] -= p[k]
-    xx, yy = q[0] * q[0], q[1] * q[1]
-    scale = 1 / (xx + yy)
-    columns = (
-        1,
-        (xx - yy) * scale,
-        2 * q[0] * q[1] * scale,
-        2 * (p[2] - dot(p, q) / (xx + yy + q[2] * q[2]) * q[2]),
-    )
-    # In as many rows as the ring with most of them has, the others filled up with zeros.
-    rows = np.zeros((4, place.max(initial=0) // m + 1, m))
-    for row, values in zip(rows, columns):
-        row.ravel()[place] = values
-    rows[3, 0, ~use.any(0)] = np.nan
-    A, B, C = least_squares(rows[:3], rows[3])
+    unit, inverted = _unit(ring), _inverted(ring, unit_normal(ring, normal))
+    steps, limits = _limits(unit, pairs)
+    more, circles = _at_least_three(unit, steps, limits)
+    _, n, m = inverted.shape
+    # As many rows as the ring with most circles has, in others filled up with zeros.
+    columns, row = np.zeros((4, max(1, circles.max()), m)), np.zeros(m, np.intp)
+    for i in range(n):
+        for j in range(i + 1, n):
+            by_steps = min(j - i, n - j + i) >= steps
+            for k in range(m):
+                limit = max(limits[i, k], limits[j, k], more[k])
+                if by_steps or dot(at(unit, i, k), at(unit, j, k)) <= limit:
+                    (x, y, z), (dx, dy, dz) = at(inverted, i, k), at(inverted, j, k)
+                    dx, dy, dz = dx - x, dy - y, dz - z
+                    xx, yy = dx * dx, dy * dy
+                    # The circle, inverted at v, is this line. Its point next to v is half the
+                    # circle's curvature vector, of which kn is the part along N_v (2.1).
+                    nearest = (x * dx + y * dy + z * dz) / (xx + yy + dz * dz)
+                    r, row[k] = row[k], row[k] + 1
+                    columns[0, r, k] = 1
+                    columns[1, r, k] = (xx - yy) / (xx + yy)
+                    columns[2, r, k] = 2 * dx * dy / (xx + yy)
+                    columns[3, r, k] = 2 * (z - nearest * dz)
+    for i in range(n):
+        for k in range(m):
+            if row[k] == 0 or ring.squares[i, k] == 0:
+                columns[3, 0, k] = np.nan
+    A, B, C = least_squares(columns)
     return A * A - B * B - C * C, A
 
 
-def _blocks(n):
-    """Yield (rows, gap): where among all pairs i < j of n neighbours those with j - i = gap are."""
-    start = 0
-    for gap in range(1, n):
-        yield slice(start, start + n - gap), gap
-        start += n - gap
+@compiled
+def _unit(ring):
+    """e_i / |e_i|, (3, n, m)."""
+    out = np.empty_like(ring.e)
+    for c in range(3):
+        for i in range(out.shape[1]):
+            for k in range(out.shape[2]):
+                out[c, i, k] = ring.e[c, i, k] / ring.lengths[i, k]
+    return out
 
 
-def _chosen(cosine, n, pairs):
-    """Whether each pair (i, j) is used, (pairs, m) bool.
+@compiled
+def _inverted(ring, N):
+    """e_i / |e_i|^2 in the canonical form, (3, n, m)."""
+    out = canonical(ring, N)
+    for c in range(3):
+        for i in range(out.shape[1]):
+            for k in range(out.shape[2]):
+                out[c, i, k] /= ring.squares[i, k]
+    return out
 
-    By the cosine of the angle between them, which spares an arctangent for each pair.
+
+@compiled
+def _limits(unit, pairs):
+    """How pairs are chosen: those `steps` or more apart on the ring, and each (i, j) of which
+    the cosine of the angle is at most limits[i] or limits[j], (n, m).
+
+    Cosines spare an arctangent for each pair.
     """
-    use = np.empty(cosine.shape, dtype=bool)
+    _, n, m = unit.shape
+    limits = np.full((n, m), -np.inf)
     if pairs == "all":
-        use[:] = True
-    elif pairs == "opposite":
-        best = np.full((n, cosine.shape[1]), np.inf)
-        for rows, gap in _blocks(n):
-            for ends in (best[:-gap], best[gap:]):
-                np.minimum(ends, cosine[rows], out=ends)
-        best = _ties(best)
-        for rows, gap in _blocks(n):
-            np.less_equal(cosine[rows], np.maximum(best[:-gap], best[gap:]), out=use[rows])
-    elif pairs == "ring-opposite":
-        for rows, gap in _blocks(n):
-            use[rows] = min(gap, n - gap) == n // 2
+        return 1, limits
+    if pairs == "ring-opposite":
+        return n // 2, limits
+    if pairs == "opposite":
+        limits[:] = np.inf
+        for i in range(n):
+            for j in range(i + 1, n):
+                for k in range(m):
+                    cosine = dot(at(unit, i, k), at(unit, j, k))
+                    limits[i, k] = min(limits[i, k], cosine)
+                    limits[j, k] = min(limits[j, k], cosine)
+        for i in range(n):
+            for k in range(m):
+                limits[i, k] = _tied(limits[i, k])
     else:
-        limit = math.radians(int(pairs.removeprefix("above-"))) + TIE
-        np.less(cosine, math.cos(limit), out=use)
-    for _ in range(CIRCLES):
-        few = use.sum(0, dtype=np.min_scalar_type(len(use))) < CIRCLES
-        if not few.any():
-            break
-        rest = np.where(use, np.inf, cosine)
-        use |= few & (rest <= _ties(rest.min(0)))
-    return use
+        limits[:] = math.cos(math.radians(120 if pairs == "above-120" else 90) + TIE)
+    return n, limits
 
 
-def _used(use, n):
-    """The used pairs one after another, (used,) each: a place in a flat (rows, m) in the column
-    of its ring, and where its v_i and v_j are in the flat (n, m)."""
-    m = use.shape[1]
-    before = np.zeros(use.shape, dtype=np.min_scalar_type(len(use)))
-    # One by one, since np.cumsum walks down each column.
-    for k in range(1, len(use)):
-        np.add(before[k - 1], use[k - 1], out=before[k])
-    i = np.concatenate([np.arange(n - gap) for gap in range(1, n)])
-    j = i + np.repeat(np.arange(1, n), np.arange(n - 1, 0, -1))
-    place, count = np.flatnonzero(use), np.count_nonzero(use, axis=1)
-    rings = place - np.repeat(np.arange(len(use)) * m, count)
-    rows = before.take(place) * np.intp(m)
-    return rings + rows, *(rings + np.repeat(k * m, count) for k in (i, j))
+@compiled
+def _at_least_three(unit, steps, limits):
+    """The cosine up to which pairs join that are not chosen yet, (m,), so that there are CIRCLES:
+    the next best and its ties, one after another; and how many circles that makes, (m,)."""
+    _, n, m = unit.shape
+    more, circles = np.full(m, -np.inf), np.zeros(m, np.intp)
+    for i in range(n):
+        for j in range(i + 1, n):
+            by_steps = min(j - i, n - j + i) >= steps
+            for k in range(m):
+                cosine = dot(at(unit, i, k), at(unit, j, k))
+                circles[k] += by_steps or cosine <= max(limits[i, k], limits[j, k])
+    for k in range(m):
+        for _ in range(CIRCLES):
+            if circles[k] >= CIRCLES:
+                break
+            best = np.inf
+            for i in range(n):
+                for j in range(i + 1, n):
+                    cosine = dot(at(unit, i, k), at(unit, j, k))
+                    chosen = cosine <= max(limits[i, k], limits[j, k], more[k])
+                    if not (chosen or min(j - i, n - j + i) >= steps):
+                        best = min(best, cosine)
+            more[k], circles[k] = _tied(best), 0
+            for i in range(n):
+                for j in range(i + 1, n):
+                    cosine = dot(at(unit, i, k), at(unit, j, k))
+                    chosen = cosine <= max(limits[i, k], limits[j, k], more[k])
+                    circles[k] += chosen or min(j - i, n - j + i) >= steps
+    return more, circles
 
 
-def _ties(cosine):
+@compiled
+def _tied(cosine):
     """The cosine of an angle less by TIE."""
-    square = cosine * cosine
-    sine = np.sqrt(np.maximum(np.subtract(1, square, out=square), 0, out=square), out=square)
-    return np.add(cosine, np.multiply(sine, TIE, out=sine), out=sine)
+    return cosine + TIE * math.sqrt(max(1 - cosine * cosine, 0.0))

@@ -5,12 +5,14 @@ from typing import Literal
 
 import numpy as np
 
-from curvlib.ring import following
+from curvlib.compiled import compiled
+from curvlib.ring import beta, following, mixed_area, total, total_angle, weighted_total
 
 LABEL = "Gauss-Bonnet"
 STYLE = {"color": "#0072B2", "marker": "s", "linestyle": "-"}
 
 
+@compiled
 def estimate(
     ring,
     area: Literal["third", "half", "mixed"] = "third",
@@ -22,10 +24,11 @@ def estimate(
     `dihedral="as-printed"` multiplies |e_i| with the plain angle between N_i and N_{i+1}, which
     is that of the next edge.
     """
-    cell = ring.mixed_area if area == "mixed" else ring.A / 3
-    beta = ring.beta if dihedral == "signed" else abs(ring.beta)
+    A = total(ring.areas)
+    cell = mixed_area(ring) if area == "mixed" else A / 3
+    angles = beta(ring) if dihedral == "signed" else np.abs(beta(ring))
     if dihedral == "as-printed":
-        beta = following(beta)
-    K = (2 * math.pi - ring.total_angle) / (ring.A / 2 if area == "half" else cell)
-    H = np.einsum("nm,nm->m", ring.lengths, beta) / (4 * cell)
+        angles = following(angles)
+    K = (2 * math.pi - total_angle(ring)) / (A / 2 if area == "half" else cell)
+    H = weighted_total(ring.lengths, angles) / (4 * cell)
     return K, H

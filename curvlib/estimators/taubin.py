@@ -4,7 +4,8 @@ from typing import Literal
 
 import numpy as np
 
-from curvlib.ring import Normal, preceding
+from curvlib.compiled import compiled
+from curvlib.ring import Normal, canonical, total, unit_normal, with_preceding
 
 Principal = Literal["corrected", "as-printed"]
 
@@ -12,27 +13,33 @@ LABEL = "Taubin"
 STYLE = {"color": "#CC79A7", "marker": "D", "linestyle": "-"}
 
 
+@compiled
 def estimate(ring, normal: Normal = "uniform", principal: Principal = "corrected"):
     """K and H of M = sum w_i kn_i T_i T_i^t (3.22), w_i by the area of the triangles at e_i."""
-    return from_tensor(edge_areas(ring), ring.kn(normal), ring.projected(normal), principal)
+    xyz = canonical(ring, unit_normal(ring, normal))
+    kn = 2 * xyz[2] / ring.squares
+    return from_tensor(with_preceding(ring.areas), kn, xyz, principal)
 
 
-def edge_areas(ring):
-    """Area of the two triangles that share e_i, (n, m)."""
-    return preceding(ring.areas) + ring.areas
-
-
-def from_tensor(weights, kn, along, principal: Principal):
+@compiled
+def from_tensor(weights, kn, along, principal):
     """K and H by (3.21) with k1 = 3 m11 - m22 and k2 = 3 m22 - m11; "as-printed": k2 = k1.
 
-    The weights (n, m) and the vectors (2, n, m) along T_i are normalised here. With trace t and
-    determinant d of M, whose eigenvalues are m11 and m22, k1 k2 = 16 d - 3 t^2 and
-    (k1 + k2) / 2 = t.
+    The weights (n, m) and the vectors (x, y) along T_i, in a canonical form (3, n, m), are
+    normalised here. With trace t and determinant d of M, whose eigenvalues are m11 and m22,
+    k1 k2 = 16 d - 3 t^2 and (k1 + k2) / 2 = t.
     """
-    xx, xy, yy = along[0] * along[0], along[0] * along[1], along[1] * along[1]
-    w = weights * kn / (xx + yy)
-    total = weights.sum(0)
-    m11, m12, m22 = (np.einsum("nm,nm->m", w, tt) / total for tt in (xx, xy, yy))
+    n, m = kn.shape
+    m11, m12, m22 = np.zeros(m), np.zeros(m), np.zeros(m)
+    for i in range(n):
+        for k in range(m):
+            x, y = along[0, i, k], along[1, i, k]
+            w = weights[i, k] * kn[i, k] / (x * x + y * y)
+            m11[k] += w * (x * x)
+            m12[k] += w * (x * y)
+            m22[k] += w * (y * y)
+    sum_of_weights = total(weights)
+    m11, m12, m22 = m11 / sum_of_weights, m12 / sum_of_weights, m22 / sum_of_weights
     t, d = m11 + m22, m11 * m22 - m12 * m12
     if principal == "as-printed":
         k1 = t + 2 * np.hypot(m11 - m22, 2 * m12)

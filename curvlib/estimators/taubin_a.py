@@ -2,20 +2,24 @@
 
 from typing import Literal
 
-from curvlib.estimators import taubin
-from curvlib.ring import Normal, preceding
+from curvlib.compiled import compiled
+from curvlib.estimators.taubin import Principal, from_tensor
+from curvlib.ring import Normal, alpha, canonical, unit_normal, with_preceding
 
 LABEL = "Taubin A"
 STYLE = {"color": "#CC79A7", "marker": "P", "linestyle": "--", "markerfacecolor": "white"}
 ONE_SIDED = "w_i is the angle to the next neighbour; angles='centred' takes both sides"
 
 
+@compiled
 def estimate(
     ring,
     angles: Literal["one-sided", "centred"] = "one-sided",
     normal: Normal = "uniform",
-    principal: taubin.Principal = "corrected",
+    principal: Principal = "corrected",
 ):
     """(3.22) with w_i ~ angle(v_i, v, v_{i+1}), or ~ the angles on both sides of e_i."""
-    w = ring.alpha if angles == "one-sided" else preceding(ring.alpha) + ring.alpha
-    return taubin.from_tensor(w, ring.kn(normal), ring.projected(normal), principal)
+    xyz = canonical(ring, unit_normal(ring, normal))
+    kn = 2 * xyz[2] / ring.squares
+    weights = alpha(ring) if angles == "one-sided" else with_preceding(alpha(ring))
+    return from_tensor(weights, kn, xyz, principal)

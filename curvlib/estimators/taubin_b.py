@@ -2,21 +2,24 @@
 
 from typing import Literal
 
-from curvlib.estimators import taubin
-from curvlib.ring import Normal, following
+from curvlib.compiled import compiled
+from curvlib.estimators.taubin import Principal, from_tensor
+from curvlib.ring import Normal, alpha, canonical, following, unit_normal, with_preceding
 
 LABEL = "Taubin B"
 STYLE = {"color": "#CC79A7", "marker": "X", "linestyle": ":", "markerfacecolor": "white"}
 ONE_SIDED = "kn_i is averaged with that of the next neighbour"
 
 
+@compiled
 def estimate(
     ring,
     weights: Literal["area", "angle"] = "area",
     normal: Normal = "uniform",
-    principal: taubin.Principal = "corrected",
+    principal: Principal = "corrected",
 ):
     """(3.22) with (kn_i + kn_{i+1}) / 2 for kn_i, weighted as in Taubin or as in Taubin A."""
-    kn = ring.kn(normal)
-    w = taubin.edge_areas(ring) if weights == "area" else ring.alpha
-    return taubin.from_tensor(w, (kn + following(kn)) / 2, ring.projected(normal), principal)
+    xyz = canonical(ring, unit_normal(ring, normal))
+    kn = 2 * xyz[2] / ring.squares
+    w = with_preceding(ring.areas) if weights == "area" else alpha(ring)
+    return from_tensor(w, (kn + following(kn)) / 2, xyz, principal)

@@ -5,12 +5,14 @@ from typing import Literal
 
 import numpy as np
 
-from curvlib.ring import Normal, following, preceding
+from curvlib.compiled import compiled
+from curvlib.ring import Normal, alpha, canonical, kn, unit_normal
 
 LABEL = "Watanabe-Belyaev"
 STYLE = {"color": "#009E73", "marker": "^", "linestyle": "-"}
 
 
+@compiled
 def estimate(
     ring,
     normal: Normal = "area",
@@ -21,23 +23,35 @@ def estimate(
     phi_i = angle(v_i, v, v_{i+1}), in space or between the tangent directions (3.23), so that
     the weight of kn_i is (phi_{i-1} + phi_i) / 2.
     """
-    kn = ring.kn(normal)
-    phi = ring.alpha if angles == "spatial" else _between(ring.projected(normal))
-    w = preceding(phi)
-    w += phi
-    w *= kn
-    H = w.sum(0) / (4 * math.pi)
-    K = 3 * H * H - np.einsum("nm,nm->m", w, kn) / (2 * math.pi)
-    return K, H
+    N = unit_normal(ring, normal)
+    phi = alpha(ring) if angles == "spatial" else _between(canonical(ring, N))
+    curvature = kn(ring, N)
+    n, m = phi.shape
+    mean, mean_square = np.zeros(m), np.zeros(m)
+    for i in range(n):
+        for k in range(m):
+            w = (phi[i - 1, k] + phi[i, k]) * curvature[i, k]
+            mean[k] += w
+            mean_square[k] += w * curvature[i, k]
+    H = mean / (4 * math.pi)
+    return 3 * H * H - mean_square / (2 * math.pi), H
 
 
+@compiled
 def _between(along):
     """Angle from T_i to T_{i+1} about the normal, in (-pi, pi]: they sum to 2 pi around v.
 
-    `along`: vectors along T_i, (2, n, m).
+    `along`: vectors (x, y) along T_i, in a canonical form (3, n, m).
     """
-    (x, y), (x1, y1) = along, following(along)
-    # In the canonical frame, seen along -N, the ring runs counter-clockwise about N.
-    cosine, sine = x * x1 + y * y1, x * y1 - y * x1 + 0.0
-    # arctan2(sine, cosine), in half its time; pi where sine is a zero, of which no sign is left.
-    return np.copysign(math.pi / 2, sine) - np.arctan(cosine / sine)
+    _, n, m = along.shape
+    out = np.empty((n, m))
+    for i in range(n):
+        j = (i + 1) % n
+        for k in range(m):
+            x, y, x1, y1 = along[0, i, k], along[1, i, k], along[0, j, k], along[1, j, k]
+            # In the canonical frame, seen along -N, the ring runs counter-clockwise about N.
+            cosine, sine = x * x1 + y * y1, x * y1 - y * x1 + 0.0
+            # arctan2(sine, cosine), in half its time; pi where sine is a zero, of which no sign
+            # is left.
+            out[i, k] = math.copysign(math.pi / 2, sine) - math.atan(cosine / sine)
+    return out

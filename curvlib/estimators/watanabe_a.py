@@ -1,5 +1,6 @@
 """Watanabe A, section 3.6: base Watanabe with tangent directions and the uniform normal."""
 
+from curvlib.compiled import compiled
 from curvlib.estimators import watanabe
 from curvlib.ring import Normal
 
@@ -7,9 +8,10 @@ LABEL = "Watanabe A"
 STYLE = {"color": "#009E73", "marker": "<", "linestyle": "--", "markerfacecolor": "white"}
 
 
+@compiled
 def estimate(ring, normal: Normal = "uniform"):
     """(3.17) and (3.18) with the angles between the tangent directions (3.23).
 
     The curvature of the circle through v and v_i that touches the tangent plane is (3.16).
     """
-    return watanabe.estimate(ring, normal=normal, angles="projected")
+    return watanabe.estimate(ring, normal, "projected")

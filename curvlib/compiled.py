@@ -1,0 +1,49 @@
+"""Loops compiled by Numba: without Python's lock, and kept on disk for the next process.
+
+A compiled function reads like the sums it computes, and runs at the speed of memory. It is also
+Python: with NUMBA_DISABLE_JIT=1 in the environment it runs as it stands, to be debugged.
+Floating-point operations keep their order and are never fused, so the same bytes come out
+whatever the vector instructions of the machine.
+"""
+
+import hashlib
+import os
+from pathlib import Path
+
+import numba
+from numba.core import config
+
+PACKAGE = Path(__file__).parent
+
+
+def compiled(function):
+    """The function, compiled when first called with arguments of some types.
+
+    A file of estimators from elsewhere may use it as those of the package do.
+    """
+    given = config.CACHE_DIR
+    # Numba looks for changes in the function's own file alone, not in those that it calls:
+    # another state of the package has another folder.
+    config.CACHE_DIR = _FOLDER or given
+    try:
+        jit = numba.njit(nogil=True, error_model="numpy", cache=_FOLDER is not None)
+        return jit(function)
+    finally:
+        config.CACHE_DIR = given
+
+
+def _folder():
+    """Where compiled code of this state of the package is kept; None where it cannot be."""
+    code = hashlib.sha256()
+    for path in sorted(PACKAGE.rglob("*.py")):
+        code.update(path.read_bytes())
+    base = config.CACHE_DIR or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    folder = Path(base, "curvlib", code.hexdigest()[:16])
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return None
+    return str(folder) if os.access(folder, os.W_OK) else None
+
+
+_FOLDER = _folder()
