@@ -1,15 +1,17 @@
 """From faces to one-rings: their corners, sorted by vertex and walked around each.
 
-A corner is a vertex of a face with the two that follow it there. Corners are dealt out to
-buckets of consecutive vertices first, so that sorting and walking stay in cache, however the
-faces come; parts of the faces, and buckets, are independent of each other.
+A corner is a vertex of a face; the two that follow it there are the corner's pair, packed into
+one integer as next * 2^32 + last. Corners are dealt out to buckets of consecutive vertices
+first, so that sorting and walking stay in cache, however the faces come; parts of the faces,
+and buckets, are independent of each other.
 """
 
 import numpy as np
 
 from .compiled import compiled
 
-# From this valence on the next corner is found by a table, not by looking at all.
+LAST = (1 << 32) - 1
+# From this valence on the corner that follows is looked up in a table, not among all.
 MANY = 64
 
 
@@ -22,113 +24,109 @@ def count(faces, shift, counts):
 
 
 @compiled
-def deal(faces, shift, places, corners):
-    """Write corners (rows, 3), vertex, next and last, from places (buckets,) on; moves them."""
+def deal(faces, shift, places, owners, pairs):
+    """Write the corners' vertices, counted in their bucket, and pairs, (corners,) each, from
+    places (buckets,) on, which move along."""
     for f in range(len(faces)):
         for c in range(3):
             v = faces[f, c]
             place = places[v >> shift]
             places[v >> shift] = place + 1
-            corners[place, 0] = v
-            corners[place, 1] = faces[f, (c + 1) % 3]
-            corners[place, 2] = faces[f, (c + 2) % 3]
+            owners[place] = v - (v >> shift << shift)
+            pairs[place] = faces[f, (c + 1) % 3] << 32 | faces[f, (c + 2) % 3]
 
 
 @compiled
-def walk(corners, first, vertices, total):
-    """One-rings of the `vertices` from `first` on, from their corners (rows, 3).
+def walk(owners, pairs, first, vertices, total):
+    """One-rings of the `vertices` from `first` on, whose corners these are.
 
     Returns how many closed ones there are by valence, their vertices by rising valence, and
     their neighbours, of each valence n an (n, m), one after the other. `total`: of vertices in
     the mesh.
     """
-    begin = np.zeros(vertices + 1, np.int32)
-    for row in range(len(corners)):
-        begin[corners[row, 0] - first + 1] += 1
+    begin, pairs = _by_vertex(owners, pairs, vertices)
+    valence, table = np.zeros(vertices, np.uint32), np.zeros(0, np.int32)
     for v in range(vertices):
-        begin[v + 1] += begin[v]
-    here, there = np.empty(len(corners), np.int32), np.empty(len(corners), np.int32)
-    place = begin.copy()
-    for row in range(len(corners)):
-        v = corners[row, 0] - first
-        here[place[v]], there[place[v]] = corners[row, 1], corners[row, 2]
-        place[v] += 1
+        own = pairs[begin[v] : begin[v + 1]]
+        if len(own) >= MANY and len(table) == 0:
+            table = np.full(total, -1, np.int32)
+        if len(own) >= 3 and (_sort(own) if len(own) < MANY else _sort_by_table(own, table)):
+            valence[v] = len(own)
 
-    valence = np.zeros(vertices, np.int32)
-    table = np.zeros(0, np.int32)
-    for v in range(vertices):
-        start, end = begin[v], begin[v + 1]
-        if end - start < 3:
-            continue
-        if end - start < MANY:
-            closed = _sort(here, there, start, end)
-        else:
-            if len(table) == 0:
-                table = np.full(total, -1, np.int32)
-            closed = _sort_by_table(here, there, start, end, table)
-        if closed:
-            valence[v] = end - start
-
-    rings = np.zeros(max(3, valence.max() if vertices else 0) + 1, np.int32)
-    for v in range(vertices):
-        rings[valence[v]] += 1
+    largest = 0
+    for n in valence:
+        largest = max(largest, n)
+    rings = np.zeros(largest + 1, np.int64)
+    for n in valence:
+        rings[n] += 1
     rings[0] = 0
-    # Of each valence: where its vertices, and where its neighbours begin.
-    at, neighbours_at = np.zeros(len(rings), np.int64), np.zeros(len(rings), np.int64)
-    for n in range(1, len(rings)):
-        at[n] = at[n - 1] + rings[n - 1]
-        neighbours_at[n] = neighbours_at[n - 1] + (n - 1) * rings[n - 1]
-    order = np.empty(rings.sum(), np.int32)
-    neighbours = np.empty(neighbours_at[-1] + (len(rings) - 1) * rings[-1], np.int32)
-    found = np.zeros(len(rings), np.int64)
+    # Of each valence: where its vertices and its neighbours begin, and how many are written.
+    at, neighbours_at, written = np.zeros((3, largest + 2), np.int64)
+    for n in range(largest + 1):
+        at[n + 1] = at[n] + rings[n]
+        neighbours_at[n + 1] = neighbours_at[n] + n * rings[n]
+    order, neighbours = np.empty(at[-1], np.int32), np.empty(neighbours_at[-1], np.int32)
     for v in range(vertices):
         n = valence[v]
         if n > 0:
-            k = found[n]
-            found[n] = k + 1
+            k = written[n]
+            written[n] = k + 1
             order[at[n] + k] = first + v
             for i in range(n):
-                neighbours[neighbours_at[n] + i * rings[n] + k] = here[begin[v] + i]
+                neighbours[neighbours_at[n] + i * rings[n] + k] = pairs[begin[v] + i] >> 32
     return rings, order, neighbours
 
 
 @compiled
-def _sort(here, there, start, end):
-    """Bring the corners of a vertex in the order of a walk; whether it came by all and back."""
-    for i in range(start, end - 1):
-        if there[i] == here[start]:
-            return False
-        after = _find(there[i], here, i + 1, end)
-        if after == end or _find(there[i], here, after + 1, end) < end:
-            return False
-        here[after], here[i + 1] = here[i + 1], here[after]
-        there[after], there[i + 1] = there[i + 1], there[after]
-    return there[end - 1] == here[start]
+def _by_vertex(owners, pairs, vertices):
+    """Where the pairs of each vertex begin, (vertices + 1,), and the pairs in that order."""
+    begin = np.zeros(vertices + 1, np.uint32)
+    for owner in owners:
+        begin[owner + np.uint32(1)] += np.uint32(1)
+    for v in range(vertices):
+        begin[v + 1] += begin[v]
+    place, ordered = begin.copy(), np.empty_like(pairs)
+    for row in range(len(owners)):
+        ordered[place[owners[row]]] = pairs[row]
+        place[owners[row]] += np.uint32(1)
+    return begin, ordered
 
 
 @compiled
-def _find(vertex, here, start, end):
-    """The first place from `start` on of a vertex; `end` if there is none before."""
-    while start < end and here[start] != vertex:
-        start += 1
-    return start
+def _sort(pairs):
+    """Bring the pairs of a vertex in the order of a walk; whether it came by all and back."""
+    n, start = len(pairs), pairs[0] >> 32
+    for i in range(1, n):
+        vertex = pairs[i - 1] & LAST
+        found = _find(vertex, pairs, i)
+        if vertex == start or found == n or _find(vertex, pairs, found + 1) < n:
+            return False
+        pairs[i], pairs[found] = pairs[found], pairs[i]
+    return pairs[n - 1] & LAST == start
 
 
 @compiled
-def _sort_by_table(here, there, start, end, table):
-    """As `_sort`, by a table of -1 for each vertex, in which each neighbour has its corner."""
-    n = end - start
-    walked = np.empty(n, np.int32)
-    for i in range(start, end):
-        table[here[i]] = i
-    i, steps = start, 0
-    while steps < n and i >= 0 and (steps == 0 or i != start):
-        walked[steps] = here[i]
+def _find(vertex, pairs, place):
+    """The first place from this one on of a pair that starts with a vertex, or else the end."""
+    while place < len(pairs) and pairs[place] >> 32 != vertex:
+        place += 1
+    return place
+
+
+@compiled
+def _sort_by_table(pairs, table):
+    """As `_sort`, by a table of -1 for each vertex, in which each neighbour has its pair."""
+    walked = np.empty_like(pairs)
+    for i in range(len(pairs)):
+        table[pairs[i] >> 32] = i
+    i = steps = 0
+    while steps < len(pairs) and i >= 0 and (i > 0 or steps == 0):
+        walked[steps] = pairs[i]
+        i = table[pairs[i] & LAST]
         steps += 1
-        i = table[there[i]]
-    for j in range(start, end):
-        table[here[j]] = -1
-    closed = steps == n and i == start
+    for pair in pairs:
+        table[pair >> 32] = -1
+    closed = steps == len(pairs) and i == 0
     if closed:
-        here[start:end] = walked
+        pairs[:] = walked
     return closed

@@ -115,18 +115,23 @@ class Mesh:
         parts = [slice(k, k + PART) for k in range(0, len(self.faces), PART)]
         counts = np.zeros((len(parts), (total >> SHIFT) + 1), dtype=np.intp)
         places = np.zeros(counts.size + 1, dtype=np.intp)
-        dealt = np.empty((3 * len(self.faces), 3), dtype=np.int32)
+        owners = np.empty(3 * len(self.faces), dtype=np.uint16)
+        pairs = np.empty(3 * len(self.faces), dtype=np.int64)
 
         def count(part):
+            # New memory is zeroed page by page when first written to: here by one thread each,
+            # where corners are dealt out by all threads at a time.
+            own = slice(3 * parts[part].start, 3 * parts[part].stop)
+            owners[own][::2048], pairs[own][::512] = 0, 0
             corners.count(self.faces[parts[part]], SHIFT, counts[part])
 
         def deal(part):
-            corners.deal(self.faces[parts[part]], SHIFT, starts[part], dealt)
+            corners.deal(self.faces[parts[part]], SHIFT, starts[part], owners, pairs)
 
         def walk(bucket):
             first = bucket << SHIFT
-            own = dealt[ends[bucket] : ends[bucket + 1]]
-            return list(_batches(*corners.walk(own, first, min(1 << SHIFT, total - first), total)))
+            own, size = slice(*ends[bucket : bucket + 2]), min(1 << SHIFT, total - first)
+            return list(_batches(*corners.walk(owners[own], pairs[own], first, size, total)))
 
         for_each(count, range(len(parts)), threads)
         # Bucket by bucket, and in each part by part: in the order of the faces.
