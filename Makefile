@@ -21,12 +21,14 @@ lint: .venv/ready
 
 # --compile-bytecode: the study starts many short processes, and each would
 # otherwise compile what it imports where the environment forbids .pyc files.
+# The last command has Numba compile the estimators, which it keeps for all of them.
 .venv/ready: requirements.lock pyproject.toml
 	$(PYTHON) -m venv .venv
 	awk '/^uv==/ {on = 1; print; next} /^[^ ]/ {on = 0} on' requirements.lock > .venv/uv.txt
 	pip install --quiet --disable-pip-version-check --require-hashes -r .venv/uv.txt
 	uv pip sync --quiet --python .venv --require-hashes --compile-bytecode requirements.lock
 	uv pip install --quiet --python .venv --no-deps --no-build-isolation --editable .
+	python -c "import curvlib as c; c.estimate(c.tessellate(c.surface('sphere'), 8), c.estimators())"
 	touch .venv/ready
 
 # Rewrites the lock file after a change of the dependencies in pyproject.toml.

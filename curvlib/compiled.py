@@ -36,7 +36,9 @@ def _folder():
     """Where compiled code of this state of the package is kept; None where it cannot be."""
     code = hashlib.sha256()
     for path in sorted(PACKAGE.rglob("*.py")):
-        code.update(path.read_bytes())
+        source = path.read_bytes()
+        if b"import compiled" in source:
+            code.update(source)
     base = config.CACHE_DIR or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
     folder = Path(base, "curvlib", code.hexdigest()[:16])
     try:

@@ -37,13 +37,15 @@ def deal(faces, shift, places, owners, pairs):
 
 
 @compiled
-def walk(owners, pairs, first, vertices, total):
-    """One-rings of the `vertices` from `first` on, whose corners these are.
+def walk(owners, pairs, first, total, order, neighbours):
+    """One-rings of the vertices from `first` on, whose corners these are.
 
-    Returns how many closed ones there are by valence, their vertices by rising valence, and
-    their neighbours, of each valence n an (n, m), one after the other. `total`: of vertices in
-    the mesh.
+    Returns how many closed ones there are by valence. Sets `order` (vertices,) to their vertices
+    by rising valence, and `neighbours` (corners,) to their neighbours, of each valence n an
+    (n, m), one after the other; what is left over stays as it is. `total`: of vertices in the
+    mesh.
     """
+    vertices = len(order)
     begin, pairs = _by_vertex(owners, pairs, vertices)
     valence, table = np.zeros(vertices, np.uint32), np.zeros(0, np.int32)
     for v in range(vertices):
@@ -65,7 +67,6 @@ def walk(owners, pairs, first, vertices, total):
     for n in range(largest + 1):
         at[n + 1] = at[n] + rings[n]
         neighbours_at[n + 1] = neighbours_at[n] + n * rings[n]
-    order, neighbours = np.empty(at[-1], np.int32), np.empty(neighbours_at[-1], np.int32)
     for v in range(vertices):
         n = valence[v]
         if n > 0:
@@ -74,7 +75,7 @@ def walk(owners, pairs, first, vertices, total):
             order[at[n] + k] = first + v
             for i in range(n):
                 neighbours[neighbours_at[n] + i * rings[n] + k] = pairs[begin[v] + i] >> 32
-    return rings, order, neighbours
+    return rings
 
 
 @compiled

@@ -67,25 +67,35 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         function = estimators.module(name).estimate
         # All of them, since each set of given ones would be compiled anew.
         chosen = {option: values[0] for option, values in readings(name).items()} | options
-        task = (function, chosen, results[name])
+        task = (name, function, chosen)
         (of_mesh if takes_mesh(function) else of_ring).append(task)
 
-    def store(given, at, start, tasks):
+    def store(given, at, start, end, tasks):
         # Set here, since threads do not take it over from their caller.
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            for function, chosen, result in tasks:
-                for target, values in zip(result, function(given, **chosen)):
-                    if values is not None:
-                        spread(np.ascontiguousarray(values, dtype=float), at, start, target)
+            for name, function, chosen in tasks:
+                for target, values in zip(results[name], function(given, **chosen)):
+                    if values is None:
+                        continue
+                    values = np.ascontiguousarray(values, dtype=float)
+                    if values.shape != (end - start,):
+                        raise InputError(
+                            f"estimator {name!r} returned an array of shape {values.shape}, "
+                            f"expected {(end - start,)}"
+                        )
+                    spread(values, at, start, target)
 
     def work(block):
         (at, neighbours), start, end = block
-        store(around(mesh.vertices, normals, at, neighbours, start, end), at, start, of_ring)
+        ring = around(mesh.vertices, normals, at, neighbours, start, end)
+        store(ring, at, start, end, of_ring)
 
     if of_mesh:
-        store(mesh, np.arange(len(mesh.vertices), dtype=np.int32), 0, of_mesh)
+        every = np.arange(len(mesh.vertices), dtype=np.int32)
+        store(mesh, every, 0, len(every), of_mesh)
     if of_ring:
-        normals = np.empty((0, 3)) if mesh.normals is None else mesh.normals
+        known = mesh.normals if mesh.normals is not None else np.empty((0, 3))
+        normals = np.ascontiguousarray(known, dtype=float)
         for_each(work, list(_blocks(mesh.find_rings(threads))), threads)
     return results if several else results[estimator]
 

@@ -117,6 +117,7 @@ class Mesh:
         places = np.zeros(counts.size + 1, dtype=np.intp)
         owners = np.empty(3 * len(self.faces), dtype=np.uint16)
         pairs = np.empty(3 * len(self.faces), dtype=np.int64)
+        vertices, neighbours = np.empty(total, dtype=np.int32), np.empty(len(pairs), dtype=np.int32)
 
         def count(part):
             # New memory is zeroed page by page when first written to: here by one thread each,
@@ -129,9 +130,10 @@ class Mesh:
             corners.deal(self.faces[parts[part]], SHIFT, starts[part], owners, pairs)
 
         def walk(bucket):
-            first = bucket << SHIFT
-            own, size = slice(*ends[bucket : bucket + 2]), min(1 << SHIFT, total - first)
-            return list(_batches(*corners.walk(owners[own], pairs[own], first, size, total)))
+            first, own = bucket << SHIFT, slice(*ends[bucket : bucket + 2])
+            found = vertices[first : first + (1 << SHIFT)], neighbours[own]
+            rings = corners.walk(owners[own], pairs[own], first, total, *found)
+            return list(_batches(rings, *found))
 
         for_each(count, range(len(parts)), threads)
         # Bucket by bucket, and in each part by part: in the order of the faces.

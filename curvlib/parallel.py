@@ -5,7 +5,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 def for_each(function, items, threads: int = 1) -> list:
     """[function(item) for item in items]; an error of any ends it."""
-    if threads == 1:
+    threads = min(threads, len(items))
+    if threads <= 1:
         return [function(item) for item in items]
     results = [None] * len(items)
     todo = iter(enumerate(items))

@@ -15,7 +15,7 @@ import numpy as np
 
 from .compiled import compiled
 from .errors import InputError
-from .vectors import angle, at, cross, dot, norm
+from .vectors import add, angle, at, cross, divide, dot, norm
 
 Normal = Literal["uniform", "area", "exact"]
 
@@ -200,12 +200,9 @@ def unit_normal(ring, kind):
     for i in range(n):
         for k in range(m):
             weight = 1.0 if by_area else 1 / ring.areas[i, k]
-            for c in range(3):
-                N[c, k] += weight * ring.facets[c, i, k]
+            N[0, k], N[1, k], N[2, k] = add(at(N, k), weight, at(ring.facets, i, k))
     for k in range(m):
-        length = norm(at(N, k))
-        for c in range(3):
-            N[c, k] /= length
+        N[0, k], N[1, k], N[2, k] = divide(at(N, k), norm(at(N, k)))
     return N
 
 
