@@ -11,9 +11,7 @@ configfile: f"{workflow.basedir}/config/config.yaml"
 include: "workflow/rules/common.smk"
 
 
-if study.library.suffix == ".zip":
-    LIBRARY = [study.library]
-else:
+if not ARCHIVED:
 
     include: "workflow/rules/library.smk"
     include: "workflow/rules/dataset.smk"

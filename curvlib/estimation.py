@@ -1,5 +1,6 @@
 """Estimates on a mesh: one-rings in cache-sized chunks through an estimator's file."""
 
+import functools
 import inspect
 from collections import namedtuple
 from typing import get_args
@@ -21,6 +22,7 @@ BLOCK = 24576
 np.empty(31 << 20, dtype=np.uint8)
 
 
+@functools.cache
 def readings(estimator: str) -> dict[str, tuple]:
     """The options of an estimator: name -> valid values, the default first."""
     parameters = list(inspect.signature(estimators.module(estimator).estimate).parameters.values())

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from curvlib.article import caption, typeset
+from curvlib.article import caption, excerpt, typeset
 from curvlib.errors import InputError
 
 ROOT = Path(__file__).parent.parent
@@ -181,6 +181,8 @@ def shown(tmp_path):
 
     def evaluate(expression):
         source = tmp_path / "small.typ"
+        table = tmp_path / "tables/errors.csv"
+        values["errors"] = excerpt(table, norm="mean", diagonal="same")
         source.write_text(f'#import "results.typ": *\n#metadata({expression}) <shown>')
         typeset(source, tmp_path / "small.pdf", tmp_path, **values)
         inputs = {k: json.dumps(v) for k, v in values.items()} | {"results": str(tmp_path)}

@@ -10,8 +10,9 @@ sys.path.insert(0, workflow.basedir)
 
 from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError
-from curvlib.provenance import digest
+from curvlib.library import mesh_files
 from curvlib.norms import VERTICES
+from curvlib.provenance import digest
 from curvlib.study import Study, variant
 
 # One thread per job: jobs run side by side, and sums come out the same on any machine.
@@ -48,6 +49,19 @@ MODULES = [*map(estimators.path, study.estimators), *map(surfaces.path, study.su
 CUTS = [(diagonal, n) for diagonal, n, _ in study.meshes()]
 FULL = [(diagonal, n) for diagonal, n, full in study.meshes() if full]
 MESHES = [(surface, *cut) for surface in SURFACES for cut in CUTS]
+
+# The library is an archive, from which the study is then made.
+ARCHIVED = study.library.suffix == ".zip"
+
+
+def files_of(meshes):
+    """The files that hold these meshes: the archive, or one each."""
+    if ARCHIVED:
+        return [study.library]
+    return [study.library / mesh_files(*mesh)[0] for mesh in meshes]
+
+
+LIBRARY = files_of(MESHES)
 
 FIGURES = study.results / "figures"
 

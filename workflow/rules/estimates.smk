@@ -36,7 +36,7 @@ rule estimate:
 
 rule trials:
     input:
-        library=LIBRARY,
+        library=files_of((surface, *NOISY) for surface in SURFACES),
     output:
         noise=study.results / "trials/noise-{estimator}.csv",
         rings=study.results / "trials/rings-{estimator}.csv",

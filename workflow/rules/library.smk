@@ -1,7 +1,4 @@
 # In: a surface's file. Out: its meshes with exact curvature, each as VTKHDF, PLY and text.
-from curvlib.library import mesh_files
-
-LIBRARY = [study.library / mesh_files(*mesh)[0] for mesh in MESHES]
 
 
 rule library:

@@ -37,6 +37,7 @@ rule paper:
             "resolutions": study.resolutions,
             "cuts": list(dict.fromkeys(diagonal for diagonal, _ in CUTS)),
         },
+        errors={"norm": "mean", "diagonal": "same"},
         code=code("paper", *MODULES),
     script:
         "../scripts/paper.py"

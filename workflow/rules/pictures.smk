@@ -13,6 +13,7 @@ RENDERER = os.environ.get("CURVLIB_RENDERER", "")
 # Round enough to the eye.
 ROUND = min((n for diagonal, n in CUTS if diagonal == GRID), key=lambda n: abs(n - 64))
 SEEN = [(s, GRID, ROUND) for s in IN_ORDER]
+TESSELLATIONS = [(LOOKED_AT, GRID, n) for n in study.resolutions]
 
 PICTURES = [
     "figure-1",
@@ -23,7 +24,7 @@ PICTURES = [
 
 rule pictures:
     input:
-        library=LIBRARY,
+        library=files_of(dict.fromkeys([*SEEN, *TESSELLATIONS])),
     output:
         surfaces=reported(FIGURES / "figure-1.png", MEASURED_ON, "figure-1"),
         tessellations=reported(FIGURES / "figure-2.png", MEASURED_ON, "figure-2"),
@@ -39,7 +40,7 @@ rule pictures:
         numbers={s: number for number, s in enumerate(dict.fromkeys([*SEVEN, *IN_ORDER]), 1)},
         paper=SEEN[: len(chosen(SURFACES))],
         all=SEEN,
-        tessellations=[(LOOKED_AT, GRID, n) for n in study.resolutions],
+        tessellations=TESSELLATIONS,
         code=code("pictures", *map(surfaces.path, study.surfaces)),
     script:
         "../scripts/pictures.py"
@@ -47,7 +48,7 @@ rule pictures:
 
 rule error_maps:
     input:
-        library=LIBRARY,
+        library=files_of(TESSELLATIONS[-1:]),
         values=expand(study.results / "estimates/{estimator}.h5", estimator=ESTIMATORS),
     output:
         K=reported(FIGURES / "error-map-K.png", WHERE, "error-map-K"),
@@ -58,7 +59,7 @@ rule error_maps:
         "../envs/curvlib.yaml"
     params:
         renderer=RENDERER,
-        mesh=(LOOKED_AT, GRID, study.resolutions[-1]),
+        mesh=TESSELLATIONS[-1],
         surface=SURFACES[LOOKED_AT],
         estimators=ESTIMATORS,
         code=code(
