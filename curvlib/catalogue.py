@@ -47,13 +47,17 @@ class Catalogue:
         if path.parent == self.folder:
             self._loaded[name] = importlib.import_module(f"{self.package}.{path.stem}")
             return self._loaded[name]
-        # Keyed by its path: two strangers' files may share a stem.
+        # Named by its path: two strangers' files may share a stem, and compiled code that was
+        # kept looks for the module by its name.
         key = f"{self.package}:{path.resolve()}"
         if key not in sys.modules:
-            spec = importlib.util.spec_from_file_location(path.stem, path)
-            module = importlib.util.module_from_spec(spec)
-            spec.loader.exec_module(module)
-            sys.modules[key] = module
+            spec = importlib.util.spec_from_file_location(key, path)
+            sys.modules[key] = importlib.util.module_from_spec(spec)
+            try:
+                spec.loader.exec_module(sys.modules[key])
+            except BaseException:
+                del sys.modules[key]
+                raise
         return sys.modules[key]
 
     def modules(self, files: dict) -> dict:

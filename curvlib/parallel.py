@@ -5,20 +5,22 @@ from concurrent.futures import ThreadPoolExecutor
 
 def for_each(function, items, threads: int = 1) -> list:
     """[function(item) for item in items]; an error of any ends it."""
-    threads = min(threads, len(items))
+    count = len(items)
+    threads = min(threads, count)
     if threads <= 1:
         return [function(item) for item in items]
-    results = [None] * len(items)
-    todo = iter(enumerate(items))
+    results = [None] * count
+    shares = [iter(range(k * count // threads, (k + 1) * count // threads)) for k in range(threads)]
 
-    def share():
-        # Each takes what is next, so that none waits for a slower one.
-        for k, item in todo:
-            results[k] = function(item)
+    def work(k):
+        # Neighbours in memory by one thread; then what is left of the shares of others.
+        for share in shares[k:] + shares[:k]:
+            for item in share:
+                results[item] = function(items[item])
 
     with ThreadPoolExecutor(threads - 1) as pool:
-        others = [pool.submit(share) for _ in range(threads - 1)]
-        share()
+        others = [pool.submit(work, k) for k in range(1, threads)]
+        work(0)
         for other in others:
             other.result()
     return results

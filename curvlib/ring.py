@@ -49,8 +49,8 @@ def one_ring(e, exact_normals):
 
 
 @compiled
-def around(vertices, normals, at, neighbours, start, end):
-    """The Ring of the vertices at[start:end], whose neighbours are neighbours[:, start:end].
+def around(vertices, normals, centres, neighbours, start, end):
+    """The Ring of the vertices centres[start:end], whose neighbours are neighbours[:, start:end].
 
     `vertices` (V, 3), their `normals` (V, 3) or (0, 3) where the mesh has none.
     """
@@ -59,22 +59,22 @@ def around(vertices, normals, at, neighbours, start, end):
     for i in range(n):
         for k in range(m):
             # Without a sign: no look for a negative index.
-            v, v_i = np.uint64(at[start + k]), np.uint64(neighbours[i, start + k])
+            v, v_i = np.uint64(centres[start + k]), np.uint64(neighbours[i, start + k])
             for c in range(3):
                 e[c, i, k] = vertices[v_i, c] - vertices[v, c]
     exact_normals = np.empty((3, m if len(normals) else 0))
     for k in range(exact_normals.shape[1]):
         for c in range(3):
-            exact_normals[c, k] = normals[at[start + k], c]
+            exact_normals[c, k] = normals[centres[start + k], c]
     return one_ring(e, exact_normals)
 
 
 @compiled
-def spread(values, at, start, target):
-    """Write values (m,) to target[at[start:start + m]]: the one place where what is undefined,
+def spread(values, centres, start, target):
+    """Write values (m,) to target[centres[start:start + m]]: the one place where what is undefined,
     infinite or not a number, becomes NaN."""
     for k in range(len(values)):
-        target[at[start + k]] = values[k] if math.isfinite(values[k]) else math.nan
+        target[centres[start + k]] = values[k] if math.isfinite(values[k]) else math.nan
 
 
 @compiled

@@ -43,7 +43,7 @@ IMPORTS = {
     "results": {"estimation", "library", "norms"},
     "trials": {"catalogue", "estimation", "mesh", "ring"},
     "study": {"catalogue", "errors", "estimation", "library", "norms", "tessellation"},
-    "throughput": {"catalogue", "estimation"},
+    "throughput": {"catalogue", "estimation", "surfaces"},
     "provenance": set(),
     "job": {"errors"},
     "accuracy": {"norms"},

@@ -53,3 +53,11 @@ def test_rows_of_processes_of_their_own_make_a_figure(monkeypatch, tmp_path):
     modules = {"watanabe_b": estimators.module("watanabe_b")}
     save(throughput_plot(table, modules), tmp_path / "figure.svg")
     assert "Watanabe B" in (tmp_path / "figure.svg").read_text()
+
+
+def test_exact_evaluation_has_its_rows():
+    table = pd.DataFrame(throughput.exact_rows("sphere", scattered=20, side=6))
+    assert list(table.arrangement) == ["scattered"] * 4 + ["grid"] * 2
+    assert list(table.points) == [20, 20, 36, 36, 36, 36]
+    assert (table.points_per_second > 0).all()
+    assert (table.ratio > 0).all()

@@ -1,10 +1,12 @@
 # In: nothing. Out: vertices per second and peak memory of the estimators and of what is
-# installed of their peers, table and figure. Not part of `all`: every machine has its own.
+# installed of their peers, table and figure; points per second of exact curvature. Not part of
+# `all`: every machine has its own.
 
 
 rule throughput:
     output:
         table=study.results / "tables/throughput.csv",
+        exact=study.results / "tables/throughput-exact.csv",
         figure=drawn(["throughput"], HOW_FAST, kinds=["svg"])[0],
     log:
         study.results / "logs/throughput.log",

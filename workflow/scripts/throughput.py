@@ -5,10 +5,11 @@ import pandas as pd
 from curvlib.catalogue import estimators
 from curvlib.figures import save, throughput_plot
 from curvlib.job import logged
-from curvlib.throughput import rows
+from curvlib.throughput import exact_rows, rows
 
 with logged(snakemake.log[0]):
     table = pd.DataFrame(rows(snakemake.params.sizes))
     table.to_csv(snakemake.output.table, index=False)
+    pd.DataFrame(exact_rows()).to_csv(snakemake.output.exact, index=False)
     modules = {name: estimators.module(name) for name in estimators.names()}
     save(throughput_plot(table, modules), snakemake.output.figure)
