@@ -86,42 +86,40 @@ def curvatures(pieces, closed, size, u, v, above_u, above_v):
     n x S_u / |S_u|: there k1 - k2 is a length, exact also where k1 = k2.
     """
     m = len(u)
-    numbers, vectors = np.full((4, m), np.nan), np.full((3, m, 3), np.nan)
+    numbers, vectors = np.empty((4, m)), np.empty((3, m, 3))
     for k in range(m):
         span_u, x = side(pieces.breaks_u, closed[0], u[k], above_u)
         span_v, y = side(pieces.breaks_v, closed[1], v[k], above_v)
         _, S_u, S_v, S_uu, S_uv, S_vv = derivatives(pieces, span_u, x, span_v, y)
         n = cross(S_u, S_v)
         area, p = norm(n), norm(S_u)
-        if not area > 1e-13 * p * norm(S_v):
-            continue
-        n = divide(n, area)
+        n = divide(n, area if area > 1e-13 * p * norm(S_v) else math.nan)
         q, r = dot(S_u, S_v) / p, area / p
         L, M, N = -dot(S_uu, n), -dot(S_uv, n), -dot(S_vv, n)
         a = L / (p * p)
         b = (M / p - q * a) / r
         c = (N - q * q * a - 2 * q * r * b) / (r * r)
-        principal(a, b, c, divide(S_u, p), n, size, numbers[:, k], vectors[:, k])
+        values, directions = principal(a, b, c, divide(S_u, p), n, size)
+        for i in range(4):
+            numbers[i, k] = values[i]
+        for i in range(3):
+            for j in range(3):
+                vectors[i, k, j] = directions[i][j]
     return numbers, vectors
 
 
 @compiled
-def principal(a, b, c, e1, n, size, numbers, vectors):
-    """Set K, H, k1, k2 (4,) and d1, d2, n (3, 3) of the form [[a, b], [b, c]] in the frame of e1
-    and n x e1; `size` is that of the surface."""
+def principal(a, b, c, e1, n, size):
+    """(K, H, k1, k2) and (d1, d2, n) of the form [[a, b], [b, c]] in the frame of e1 and n x e1;
+    `size` is that of the surface."""
     H, half = (a + c) / 2, (a - c) / 2
     gap = math.sqrt(half * half + b * b)
     k1, k2 = H + gap, H - gap
-    numbers[0], numbers[1], numbers[2], numbers[3] = a * c - b * b, H, k1, k2
     # (half + gap, b) and (b, gap - half) both point along k1; of two the longer does not cancel.
     x, y = (b, gap - half) if half < 0 else (half + gap, b)
     length = math.sqrt(x * x + y * y)
     if not gap > UMBILIC * max(abs(k1), abs(k2), 1 / size):
         length = math.nan
     e2 = cross(n, e1)
-    for i in range(3):
-        vectors[0, i] = (x * e1[i] + y * e2[i]) / length
-        vectors[2, i] = n[i]
-    d2 = cross(n, (vectors[0, 0], vectors[0, 1], vectors[0, 2]))
-    for i in range(3):
-        vectors[1, i] = d2[i]
+    d1 = divide((x * e1[0] + y * e2[0], x * e1[1] + y * e2[1], x * e1[2] + y * e2[2]), length)
+    return (a * c - b * b, H, k1, k2), (d1, cross(n, d1), n)

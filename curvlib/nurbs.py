@@ -174,7 +174,7 @@ def _from_meridians(along, second, across, size):
     form = least_squares(columns[:, :, None].copy())[:, 0]
     residual = np.abs(form @ columns[:3] - kn).max()
     if residual <= AGREE * max(np.abs(kn).max(), 1 / size):
-        exact.principal(*form, tuple(e1), tuple(n), size, numbers, vectors)
+        numbers, vectors = map(np.array, exact.principal(*form, tuple(e1), tuple(n), size))
     vectors[2] = n
     return numbers, vectors
 

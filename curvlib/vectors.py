@@ -19,8 +19,9 @@ def add(a, x, b):
 
 @compiled
 def divide(a, x):
-    """a / x."""
-    return a[0] / x, a[1] / x, a[2] / x
+    """a / x, by one division."""
+    inverse = 1 / x
+    return a[0] * inverse, a[1] * inverse, a[2] * inverse
 
 
 @compiled
