@@ -1,4 +1,4 @@
-"""Estimates on a mesh: one-rings in cache-sized chunks through an estimator's file."""
+"""Estimates on a mesh: one-rings, in blocks that stay in cache, through an estimator's file."""
 
 import functools
 import inspect
