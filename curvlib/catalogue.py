@@ -50,15 +50,12 @@ class Catalogue:
         # Named by its path: two strangers' files may share a stem, and compiled code that was
         # kept looks for the module by its name.
         key = f"{self.package}:{path.resolve()}"
-        if key not in sys.modules:
+        if key not in self._loaded:
             spec = importlib.util.spec_from_file_location(key, path)
-            sys.modules[key] = importlib.util.module_from_spec(spec)
-            try:
-                spec.loader.exec_module(sys.modules[key])
-            except BaseException:
-                del sys.modules[key]
-                raise
-        return sys.modules[key]
+            sys.modules[key] = module = importlib.util.module_from_spec(spec)
+            spec.loader.exec_module(module)
+            self._loaded[key] = module
+        return self._loaded[key]
 
     def modules(self, files: dict) -> dict:
         """The modules behind names or paths, by the same keys; errors as in `path`."""

@@ -3,11 +3,15 @@
 A compiled function reads like the sums it computes, and runs at the speed of memory. It is also
 Python: with NUMBA_DISABLE_JIT=1 in the environment it runs as it stands, to be debugged.
 Floating-point operations keep their order and are never fused, so the same bytes come out
-whatever the vector instructions of the machine.
+whatever the vector instructions of the machine, but for arctangents, which are the C library's.
+
+It takes longer to import than all of curvlib: what needs it is imported where it is called.
 """
 
 import hashlib
 import os
+import tempfile
+import warnings
 from pathlib import Path
 
 import numba
@@ -39,13 +43,19 @@ def _folder():
         source = path.read_bytes()
         if b"import compiled" in source:
             code.update(source)
-    base = config.CACHE_DIR or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    folder = Path(base, "curvlib", code.hexdigest()[:16])
     try:
+        base = config.CACHE_DIR or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+        folder = Path(base, "curvlib", code.hexdigest()[:16])
         folder.mkdir(parents=True, exist_ok=True)
-    except OSError:
+        tempfile.TemporaryFile(dir=folder).close()
+    except (OSError, RuntimeError) as error:  # the latter where there is no home
+        warnings.warn(
+            f"compiled code cannot be kept ({error}), so that each process takes some seconds to "
+            "compile it; name a folder in NUMBA_CACHE_DIR",
+            stacklevel=2,
+        )
         return None
-    return str(folder) if os.access(folder, os.W_OK) else None
+    return str(folder)
 
 
 _FOLDER = _folder()

@@ -16,11 +16,15 @@ MANY = 64
 
 
 @compiled
-def count(faces, shift, counts):
-    """Add to counts (buckets,) the corners of faces (F, 3) that lie in each bucket."""
+def count(faces, total, shift, counts):
+    """Add to counts (buckets,) the corners of faces (F, 3) that lie in each bucket; whether all
+    refer to one of a total of vertices."""
     for f in range(len(faces)):
         for c in range(3):
+            if not 0 <= faces[f, c] < total:
+                return False
             counts[faces[f, c] >> shift] += 1
+    return True
 
 
 @compiled

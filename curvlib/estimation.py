@@ -3,6 +3,7 @@
 import functools
 import inspect
 from collections import namedtuple
+from numbers import Integral
 from typing import get_args
 
 import numpy as np
@@ -22,12 +23,20 @@ BLOCK = 24576
 np.empty(31 << 20, dtype=np.uint8)
 
 
-@functools.cache
 def readings(estimator: str) -> dict[str, tuple]:
-    """The options of an estimator: name -> valid values, the default first."""
-    parameters = list(inspect.signature(estimators.module(estimator).estimate).parameters.values())
+    """The options of an estimator: name -> valid values, the default first.
+
+    InputError where one of its parameters is no option with a default.
+    """
+    return dict(_options(estimators.module(estimator).estimate, estimator))
+
+
+@functools.cache
+def _options(function, estimator):
     options = {}
-    for p in parameters[1:]:
+    for p in list(inspect.signature(function).parameters.values())[1:]:
+        if p.kind != p.POSITIONAL_OR_KEYWORD or p.default is p.empty:
+            raise InputError(f"estimator {estimator!r}: option {p.name!r} has no default")
         values = get_args(p.annotation)
         options[p.name] = (p.default, *(v for v in values if v != p.default))
     return options
@@ -53,13 +62,13 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     (non-manifold or inconsistently oriented), and wherever an estimator comes to no finite
     value; an estimator of one quantity leaves the other NaN.
 
-    Raises InputError for an unknown estimator or option and for what is no triangle mesh.
+    Raises InputError for an unknown estimator or option, for what is no triangle mesh and for
+    an estimator that does not return K and H.
     """
-    # Compiled code, which takes longer to import than all of curvlib.
     from .ring import around, spread
 
     mesh = as_mesh(mesh)
-    if threads < 1:
+    if not isinstance(threads, Integral) or threads < 1:
         raise InputError(f"threads: {threads!r} is not a number of at least 1")
     several = isinstance(estimator, (list, tuple))
     results, of_mesh, of_ring = {}, [], []
@@ -76,16 +85,10 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         # Set here, since threads do not take it over from their caller.
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             for name, function, chosen in tasks:
-                for target, values in zip(results[name], function(given, **chosen)):
-                    if values is None:
-                        continue
-                    values = np.ascontiguousarray(values, dtype=float)
-                    if values.shape != (end - start,):
-                        raise InputError(
-                            f"estimator {name!r} returned an array of shape {values.shape}, "
-                            f"expected {(end - start,)}"
-                        )
-                    spread(values, at, start, target)
+                found = function(given, **chosen)
+                for target, values in zip(results[name], _checked(found, end - start, name)):
+                    if values is not None:
+                        spread(values, at, start, target)
 
     def work(block):
         (at, neighbours), start, end = block
@@ -100,6 +103,19 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         normals = np.ascontiguousarray(known, dtype=float)
         for_each(work, list(_blocks(mesh.find_rings(threads))), threads)
     return results if several else results[estimator]
+
+
+def _checked(found, count, name):
+    """K and H that an estimator returned, arrays (count,) or None; else InputError."""
+    if not isinstance(found, tuple) or len(found) != 2:
+        raise InputError(f"estimator {name!r} has to return K and H, not {type(found).__name__}")
+    checked = [x if x is None else np.asarray(x, dtype=float, order="C") for x in found]
+    for x in checked:
+        if x is not None and x.shape != (count,):
+            raise InputError(
+                f"estimator {name!r} returned an array of shape {x.shape}, expected {(count,)}"
+            )
+    return checked
 
 
 def takes_mesh(function) -> bool:

@@ -8,7 +8,7 @@ from .errors import InputError
 from .parallel import for_each
 
 # Rings are found for 2^SHIFT vertices at a time, whose corners stay in cache, and faces dealt out
-# to these in parts.
+# to these in parts. At most 16, since in their bucket vertices are counted in 16 bits.
 SHIFT = 14
 PART = 65536
 
@@ -38,11 +38,11 @@ class Mesh:
     """
 
     def __init__(self, vertices, faces, **fields):
-        self.vertices = np.ascontiguousarray(vertices, dtype=float)
+        self._vertices = np.ascontiguousarray(vertices, dtype=float)
         faces = np.asarray(faces)
         if faces.size and not np.issubdtype(faces.dtype, np.integer):
             raise InputError(f"faces: indices have to be integers, not {faces.dtype}")
-        self.faces = np.ascontiguousarray(faces, dtype=np.intp)
+        self._faces = np.ascontiguousarray(faces, dtype=np.intp)
         _check_rows("vertices", self.vertices, 3)
         _check_rows("faces", self.faces, 3)
         count = len(self.vertices)
@@ -67,6 +67,16 @@ class Mesh:
             setattr(self, name, value)
         if fields:
             raise TypeError(f"Mesh has no field {next(iter(fields))!r}")
+
+    @property
+    def vertices(self):
+        """(V, 3) float64; a mesh with others is another: see `moved`."""
+        return self._vertices
+
+    @property
+    def faces(self):
+        """(F, 3) int, counter-clockwise seen from outside."""
+        return self._faces
 
     def __repr__(self):
         return f"<Mesh of {len(self.vertices)} vertices, {len(self.faces)} faces>"
@@ -108,7 +118,6 @@ class Mesh:
         """`rings`, found by several threads if they are not known yet."""
         if "rings" in self.__dict__:
             return self.rings
-        # Compiled code, which takes longer to import than all of curvlib.
         from . import corners
 
         total = len(self.vertices)
@@ -124,7 +133,9 @@ class Mesh:
             # where corners are dealt out by all threads at a time.
             own = slice(3 * parts[part].start, 3 * parts[part].stop)
             owners[own][::2048], pairs[own][::512] = 0, 0
-            corners.count(self.faces[parts[part]], SHIFT, counts[part])
+            # They were when the mesh was made; but its arrays may be those of somebody else.
+            if not corners.count(self.faces[parts[part]], total, SHIFT, counts[part]):
+                raise InputError("faces: changed since the mesh was made, to what is no vertex")
 
         def deal(part):
             corners.deal(self.faces[parts[part]], SHIFT, starts[part], owners, pairs)

@@ -51,7 +51,6 @@ class Surface:
 
     def point(self, u, v):
         """S(u, v), shape (..., 3); u, v broadcast. InputError outside the domain."""
-        # Compiled code, which takes longer to import than all of curvlib.
         from . import exact
 
         (u, v), shape = self._arguments(u, v)
@@ -118,7 +117,6 @@ class Surface:
     def _one_sided(self, u, v, above_u, above_v):
         """K, H, k1, k2 (4, m) and d1, d2, the normal (3, m, 3) of one side of every point; NaN
         at a singular one."""
-        # Compiled code, which takes longer to import than all of curvlib.
         from . import exact
 
         pieces, size = self._patches.pieces, self._patches.size
@@ -137,11 +135,10 @@ class Surface:
         steps = np.arange(1, POLE_MERIDIANS + 1) / (POLE_MERIDIANS + 1)
         around = (breaks[:-1, None] + np.diff(breaks)[:, None] * steps).ravel()
         edge = np.full_like(around, self.domain[axis][end])
-        # The one piece that there is: at a pole no seam is crossed.
         u, v = (edge, around) if axis == 0 else (around, edge)
+        # No seam is crossed, not even where a pole lies at both ends of closed meridians.
         sides = [
-            [exact.side(b, closed, x, True) for x in t]
-            for b, closed, t in zip(self._patches.breaks, self.closed, (u, v))
+            [exact.side(b, False, x, True) for x in t] for b, t in zip(self._patches.breaks, (u, v))
         ]
         S = [exact.derivatives(self._patches.pieces, *a, *b) for a, b in zip(*sides)]
         S = np.moveaxis(S, 0, 1)

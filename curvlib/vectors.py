@@ -2,6 +2,8 @@
 
 import math
 
+import numpy as np
+
 from .compiled import compiled
 
 
@@ -33,7 +35,8 @@ def dot(a, b):
 @compiled
 def norm(a):
     """|a|."""
-    return math.sqrt(dot(a, a))
+    # NumPy's, also where the function runs as Python: dividing by it then is no error.
+    return np.sqrt(dot(a, a))
 
 
 @compiled

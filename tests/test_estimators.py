@@ -1,6 +1,7 @@
 """Conformance of every estimator found, and agreement with an independent implementation."""
 
 import itertools
+import time
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from curvlib import corners
 from curvlib.catalogue import estimators as catalogue
 from curvlib.claims import NINE as PAPER
 from curvlib.estimation import readings
+from curvlib.parallel import for_each
 from curvlib.ring import alpha, one_ring, total_angle
 from curvlib.throughput import torus
 from curvlib.vectors import angle
@@ -257,9 +259,37 @@ def test_plain_numpy_on_rings_from_elsewhere(tmp_path, sphere):
     r = curvlib.estimate(sphere, str(tmp_path / "plain.py"))
     np.testing.assert_allclose(r.K, curvlib.estimate(sphere, "gauss_bonnet").K, rtol=1e-12)
     assert np.isnan(r.H).all()
-    (tmp_path / "wrong.py").write_text("def estimate(ring):\n    return ring.areas, None\n")
-    with pytest.raises(curvlib.InputError, match=r"wrong.py' returned an array of shape"):
-        curvlib.estimate(sphere, str(tmp_path / "wrong.py"))
+
+
+@pytest.mark.parametrize(
+    ("parameters", "returned", "message"),
+    [
+        ("ring", "ring.areas, None", "returned an array of shape"),
+        ("ring", "0.0, None", r"returned an array of shape \(\)"),
+        ("ring", "ring.areas[0]", "has to return K and H, not ndarray"),
+        ("ring", "None", "has to return K and H, not NoneType"),
+        ("ring, area", "ring.areas[0], None", "option 'area' has no default"),
+        ("ring, **options", "ring.areas[0], None", "option 'options' has no default"),
+    ],
+)
+def test_a_file_that_is_no_estimator(tmp_path, sphere, parameters, returned, message):
+    path = tmp_path / "wrong.py"
+    path.write_text(f"def estimate({parameters}):\n    return {returned}\n")
+    with pytest.raises(curvlib.InputError, match=message):
+        curvlib.estimate(sphere, str(path))
+
+
+def test_files_of_the_same_relative_path(tmp_path, sphere, monkeypatch):
+    """Each folder's own, with its own options."""
+    for number, option in ((1, "red"), (2, "blue")):
+        folder = tmp_path / option
+        folder.mkdir()
+        (folder / "mine.py").write_text(
+            f"def estimate(ring, {option}='x'):\n    return {number} + 0 * ring.areas[0], None\n"
+        )
+        monkeypatch.chdir(folder)
+        assert list(readings("mine.py")) == [option]
+        assert (curvlib.estimate(sphere, "mine.py").K == number).all()
 
 
 class TestInput:
@@ -294,9 +324,20 @@ class TestInput:
         with pytest.raises(curvlib.InputError, match="'halv'; did you mean 'half'"):
             curvlib.estimate(sphere, "gauss_bonnet", area="halv")
 
-    def test_no_threads(self, sphere):
-        with pytest.raises(curvlib.InputError, match="threads: 0 is not a number of at least 1"):
-            curvlib.estimate(sphere, "gauss_bonnet", threads=0)
+    @pytest.mark.parametrize("threads", [0, 1.5, "2", None])
+    def test_no_threads(self, sphere, threads):
+        with pytest.raises(curvlib.InputError, match="is not a number of at least 1"):
+            curvlib.estimate(sphere, "gauss_bonnet", threads=threads)
+
+    def test_arrays_that_change_after_the_mesh_was_made(self):
+        """Compiled code does not look where it reads: the mesh does."""
+        vertices, faces = torus(5, "regular")
+        mesh = curvlib.Mesh(vertices, faces)
+        faces[3, 1] = 1 << 40
+        with pytest.raises(curvlib.InputError, match="faces: changed since the mesh was made"):
+            curvlib.estimate(mesh, "gauss_bonnet")
+        with pytest.raises(AttributeError):
+            mesh.vertices = mesh.vertices[:3]
 
     def test_empty_mesh(self):
         r = curvlib.estimate((np.zeros((0, 3)), np.zeros((0, 3), int)), "paraboloid")
@@ -317,6 +358,21 @@ def test_several_at_once_on_any_number_of_threads_are_the_same(monkeypatch):
         assert list(together) == PAPER
         for name in PAPER:
             np.testing.assert_array_equal(together[name], alone[name])
+
+
+@pytest.mark.parametrize("threads", [1, 2, 4])
+def test_an_error_ends_the_work(threads):
+    begun = []
+
+    def work(item):
+        begun.append(item)
+        time.sleep(0.002)
+        raise KeyError(item)
+
+    with pytest.raises(KeyError):
+        for_each(work, range(100), threads)
+    assert len(begun) <= threads
+    assert for_each(lambda item: 2 * item, range(7), threads) == [*range(0, 14, 2)]
 
 
 def test_options_of_several_have_to_be_known_to_each(sphere):

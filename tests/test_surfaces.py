@@ -295,6 +295,20 @@ def test_both_poles_in_one_span():
     np.testing.assert_allclose(pole.normal, [[0, 0, 1]] * 13, atol=1e-12)
 
 
+def test_both_poles_in_one_point():
+    """Closed meridians: at each of their ends the pole has the values beside it."""
+    from curvlib.nurbs import Surface
+    from curvlib.surfaces._shapes import revolve
+
+    loop = [(0, 0), (1, 0), (2, 2), (0.5, 0), (0, 0)]
+    s = Surface(revolve(4, [0] * 5 + [1] * 5, loop))
+    for v, beside in ((0.0, 1e-7), (1.0, 1 - 1e-7)):
+        pole, near = s.curvature(0.1, v), s.curvature(0.1, beside)
+        assert pole.smooth
+        assert near.K == pytest.approx(float(pole.K), rel=1e-4)
+        assert near.H == pytest.approx(float(pole.H), rel=1e-4)
+
+
 @pytest.mark.parametrize("bad", [(1.5, 0.5), (-0.1, 0.5), (np.nan, 0.5)])
 def test_outside_the_domain(bad):
     with pytest.raises(curvlib.InputError, match=r"u = .* outside the domain \[0, 1\].*'sphere'"):

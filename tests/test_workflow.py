@@ -103,7 +103,7 @@ def test_reruns_what_changed_and_nothing_else(study):
     assert contents(study.folder) == one_core, "other bytes on two cores"
 
     ring = study.folder / "curvlib/ring.py"
-    replace(ring, "return 2 * self.depth(normal)", "return 3 * self.depth(normal)")
+    replace(ring, "-2 * dot(at(ring.e, i, k)", "-3 * dot(at(ring.e, i, k)")
     assert rules(study("--dry-run"))["estimate"] == 2
     assert "library" not in rules(study("--dry-run"))
 

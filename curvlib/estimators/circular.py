@@ -31,10 +31,8 @@ def estimate(ring, normal: Normal = "uniform", pairs: Pairs = "opposite"):
     columns, row = np.zeros((4, max(1, circles.max()), m)), np.zeros(m, np.intp)
     for i in range(n):
         for j in range(i + 1, n):
-            by_steps = min(j - i, n - j + i) >= steps
             for k in range(m):
-                limit = max(limits[i, k], limits[j, k], more[k])
-                if by_steps or dot(at(unit, i, k), at(unit, j, k)) <= limit:
+                if _chosen(unit, i, j, k, steps, limits, more[k]):
                     (x, y, z), (dx, dy, dz) = at(inverted, i, k), at(inverted, j, k)
                     dx, dy, dz = dx - x, dy - y, dz - z
                     xx, yy = dx * dx, dy * dy
@@ -113,10 +111,8 @@ def _at_least_three(unit, steps, limits):
     more, circles = np.full(m, -np.inf), np.zeros(m, np.intp)
     for i in range(n):
         for j in range(i + 1, n):
-            by_steps = min(j - i, n - j + i) >= steps
             for k in range(m):
-                cosine = dot(at(unit, i, k), at(unit, j, k))
-                circles[k] += by_steps or cosine <= max(limits[i, k], limits[j, k])
+                circles[k] += _chosen(unit, i, j, k, steps, limits, -np.inf)
     for k in range(m):
         for _ in range(CIRCLES):
             if circles[k] >= CIRCLES:
@@ -124,17 +120,21 @@ def _at_least_three(unit, steps, limits):
             best = np.inf
             for i in range(n):
                 for j in range(i + 1, n):
-                    cosine = dot(at(unit, i, k), at(unit, j, k))
-                    chosen = cosine <= max(limits[i, k], limits[j, k], more[k])
-                    if not (chosen or min(j - i, n - j + i) >= steps):
-                        best = min(best, cosine)
+                    if not _chosen(unit, i, j, k, steps, limits, more[k]):
+                        best = min(best, dot(at(unit, i, k), at(unit, j, k)))
             more[k], circles[k] = _tied(best), 0
             for i in range(n):
                 for j in range(i + 1, n):
-                    cosine = dot(at(unit, i, k), at(unit, j, k))
-                    chosen = cosine <= max(limits[i, k], limits[j, k], more[k])
-                    circles[k] += chosen or min(j - i, n - j + i) >= steps
+                    circles[k] += _chosen(unit, i, j, k, steps, limits, more[k])
     return more, circles
+
+
+@compiled
+def _chosen(unit, i, j, k, steps, limits, more):
+    """Whether the pair i < j of ring k is used."""
+    if min(j - i, unit.shape[1] - j + i) >= steps:
+        return True
+    return dot(at(unit, i, k), at(unit, j, k)) <= max(limits[i, k], limits[j, k], more)
 
 
 @compiled

@@ -5,7 +5,7 @@ from typing import Literal
 import numpy as np
 
 from curvlib.compiled import compiled
-from curvlib.ring import Normal, canonical, total, unit_normal, with_preceding
+from curvlib.ring import Normal, canonical, kn, total, unit_normal, with_preceding
 
 Principal = Literal["corrected", "as-printed"]
 
@@ -16,25 +16,25 @@ STYLE = {"color": "#CC79A7", "marker": "D", "linestyle": "-"}
 @compiled
 def estimate(ring, normal: Normal = "uniform", principal: Principal = "corrected"):
     """K and H of M = sum w_i kn_i T_i T_i^t (3.22), w_i by the area of the triangles at e_i."""
-    xyz = canonical(ring, unit_normal(ring, normal))
-    kn = 2 * xyz[2] / ring.squares
-    return from_tensor(with_preceding(ring.areas), kn, xyz, principal)
+    N = unit_normal(ring, normal)
+    weights = with_preceding(ring.areas)
+    return from_tensor(weights, kn(ring, N), canonical(ring, N), principal)
 
 
 @compiled
-def from_tensor(weights, kn, along, principal):
+def from_tensor(weights, curvature, along, principal):
     """K and H by (3.21) with k1 = 3 m11 - m22 and k2 = 3 m22 - m11; "as-printed": k2 = k1.
 
-    The weights (n, m) and the vectors (x, y) along T_i, in a canonical form (3, n, m), are
-    normalised here. With trace t and determinant d of M, whose eigenvalues are m11 and m22,
-    k1 k2 = 16 d - 3 t^2 and (k1 + k2) / 2 = t.
+    The weights (n, m) of the curvatures (n, m) and the vectors (x, y) along T_i, in a canonical
+    form (3, n, m), are normalised here. With trace t and determinant d of M, whose eigenvalues
+    are m11 and m22, k1 k2 = 16 d - 3 t^2 and (k1 + k2) / 2 = t.
     """
-    n, m = kn.shape
+    n, m = weights.shape
     m11, m12, m22 = np.zeros(m), np.zeros(m), np.zeros(m)
     for i in range(n):
         for k in range(m):
             x, y = along[0, i, k], along[1, i, k]
-            w = weights[i, k] * kn[i, k] / (x * x + y * y)
+            w = weights[i, k] * curvature[i, k] / (x * x + y * y)
             m11[k] += w * (x * x)
             m12[k] += w * (x * y)
             m22[k] += w * (y * y)

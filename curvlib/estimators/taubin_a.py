@@ -4,7 +4,7 @@ from typing import Literal
 
 from curvlib.compiled import compiled
 from curvlib.estimators.taubin import Principal, from_tensor
-from curvlib.ring import Normal, alpha, canonical, unit_normal, with_preceding
+from curvlib.ring import Normal, alpha, canonical, kn, unit_normal, with_preceding
 
 LABEL = "Taubin A"
 STYLE = {"color": "#CC79A7", "marker": "P", "linestyle": "--", "markerfacecolor": "white"}
@@ -19,7 +19,6 @@ def estimate(
     principal: Principal = "corrected",
 ):
     """(3.22) with w_i ~ angle(v_i, v, v_{i+1}), or ~ the angles on both sides of e_i."""
-    xyz = canonical(ring, unit_normal(ring, normal))
-    kn = 2 * xyz[2] / ring.squares
+    N = unit_normal(ring, normal)
     weights = alpha(ring) if angles == "one-sided" else with_preceding(alpha(ring))
-    return from_tensor(weights, kn, xyz, principal)
+    return from_tensor(weights, kn(ring, N), canonical(ring, N), principal)

@@ -4,7 +4,7 @@ from typing import Literal
 
 from curvlib.compiled import compiled
 from curvlib.estimators.taubin import Principal, from_tensor
-from curvlib.ring import Normal, alpha, canonical, following, unit_normal, with_preceding
+from curvlib.ring import Normal, alpha, canonical, following, kn, unit_normal, with_preceding
 
 LABEL = "Taubin B"
 STYLE = {"color": "#CC79A7", "marker": "X", "linestyle": ":", "markerfacecolor": "white"}
@@ -19,7 +19,8 @@ def estimate(
     principal: Principal = "corrected",
 ):
     """(3.22) with (kn_i + kn_{i+1}) / 2 for kn_i, weighted as in Taubin or as in Taubin A."""
-    xyz = canonical(ring, unit_normal(ring, normal))
-    kn = 2 * xyz[2] / ring.squares
+    N = unit_normal(ring, normal)
     w = with_preceding(ring.areas) if weights == "area" else alpha(ring)
-    return from_tensor(w, (kn + following(kn)) / 2, xyz, principal)
+    curvature = kn(ring, N)
+    mean = (curvature + following(curvature)) / 2
+    return from_tensor(w, mean, canonical(ring, N), principal)
