@@ -9,14 +9,69 @@ and buckets, are independent of each other.
 import numpy as np
 
 from .compiled import compiled
+from .errors import InputError
+from .parallel import for_each
 
+# 2^SHIFT vertices make a bucket, whose corners stay in cache: at most 16, since in their bucket
+# vertices are counted in 16 bits.
+SHIFT = 14
+PART = 65536  # faces
 LAST = (1 << 32) - 1
 # From this valence on the corner that follows is looked up in a table, not among all.
 MANY = 64
 
 
+def one_rings(faces, total, threads: int = 1):
+    """Closed one-rings of the vertices of faces (F, 3): list of (vertices (m,), neighbours (n, m)),
+    int32, in batches of equal valence n.
+
+    `total`: the number of vertices. InputError where a face refers to none of them.
+    """
+    parts = [slice(k, k + PART) for k in range(0, len(faces), PART)]
+    counts = np.zeros((len(parts), (total >> SHIFT) + 1), dtype=np.intp)
+    places = np.zeros(counts.size + 1, dtype=np.intp)
+    owners = np.empty(3 * len(faces), dtype=np.uint16)
+    pairs = np.empty(3 * len(faces), dtype=np.int64)
+    vertices, neighbours = np.empty(total, dtype=np.int32), np.empty(len(pairs), dtype=np.int32)
+
+    def count(part):
+        # New memory is zeroed page by page when first written to: here by one thread each,
+        # where corners are dealt out by all threads at a time.
+        own = slice(3 * parts[part].start, 3 * parts[part].stop)
+        owners[own][::2048], pairs[own][::512] = 0, 0
+        # A mesh has looked at its faces when it was made; but the array may be shared.
+        if not _count(faces[parts[part]], total, SHIFT, counts[part]):
+            raise InputError("faces: changed since the mesh was made, to what is no vertex")
+
+    def deal(part):
+        _deal(faces[parts[part]], SHIFT, starts[part], owners, pairs)
+
+    def walk(bucket):
+        first, own = bucket << SHIFT, slice(*ends[bucket : bucket + 2])
+        found = vertices[first : first + (1 << SHIFT)], neighbours[own]
+        rings = _walk(owners[own], pairs[own], first, total, *found)
+        return list(_batches(rings, *found))
+
+    for_each(count, range(len(parts)), threads)
+    # Bucket by bucket, and in each part by part: in the order of the faces.
+    counts.T.cumsum(out=places[1:])
+    starts = places[:-1].reshape(counts.shape[::-1]).T.copy()
+    for_each(deal, range(len(parts)), threads)
+    ends = places[:: len(parts)] if parts else []
+    batches = for_each(walk, range(len(ends) - 1), threads)
+    return [batch for found in batches for batch in found]
+
+
+def _batches(rings, vertices, neighbours):
+    """Yield the batches, whose numbers of rings by valence are known."""
+    for n in np.flatnonzero(rings):
+        m = rings[n]
+        yield vertices[:m], neighbours[: n * m].reshape(n, m)
+        vertices, neighbours = vertices[m:], neighbours[n * m :]
+
+
 @compiled
-def count(faces, total, shift, counts):
+def _count(faces, total, shift, counts):
     """Add to counts (buckets,) the corners of faces (F, 3) that lie in each bucket; whether all
     refer to one of a total of vertices."""
     for f in range(len(faces)):
@@ -28,7 +83,7 @@ def count(faces, total, shift, counts):
 
 
 @compiled
-def deal(faces, shift, places, owners, pairs):
+def _deal(faces, shift, places, owners, pairs):
     """Write the corners' vertices, counted in their bucket, and pairs, (corners,) each, from
     places (buckets,) on, which move along."""
     for f in range(len(faces)):
@@ -41,7 +96,7 @@ def deal(faces, shift, places, owners, pairs):
 
 
 @compiled
-def walk(owners, pairs, first, total, order, neighbours):
+def _walk(owners, pairs, first, total, order, neighbours):
     """One-rings of the vertices from `first` on, whose corners these are.
 
     Returns how many closed ones there are by valence. Sets `order` (vertices,) to their vertices

@@ -5,12 +5,6 @@ from functools import cached_property
 import numpy as np
 
 from .errors import InputError
-from .parallel import for_each
-
-# Rings are found for 2^SHIFT vertices at a time, whose corners stay in cache, and faces dealt out
-# to these in parts. At most 16, since in their bucket vertices are counted in 16 bits.
-SHIFT = 14
-PART = 65536
 
 # Exact values that a mesh can carry, with the shape behind V.
 FIELDS = {
@@ -51,9 +45,9 @@ class Mesh:
             raise InputError(
                 f"vertices: vertex {np.argmax(bad) // 3} has a coordinate that is not finite"
             )
-        bad = self.faces.view(np.uintp) >= count  # a negative one is large without its sign
-        if bad.any():
-            row = int(np.argmax(bad)) // 3
+        indices = self.faces.view(np.uintp)  # a negative one is large without its sign
+        if indices.size and indices.max() >= count:
+            row = int(np.argmax(indices >= count)) // 3
             raise InputError(
                 f"faces: face {row} is {self.faces[row].tolist()}, "
                 f"but vertex indices run from 0 to {count - 1}"
@@ -118,51 +112,10 @@ class Mesh:
         """`rings`, found by several threads if they are not known yet."""
         if "rings" in self.__dict__:
             return self.rings
-        from . import corners
+        from .corners import one_rings
 
-        total = len(self.vertices)
-        parts = [slice(k, k + PART) for k in range(0, len(self.faces), PART)]
-        counts = np.zeros((len(parts), (total >> SHIFT) + 1), dtype=np.intp)
-        places = np.zeros(counts.size + 1, dtype=np.intp)
-        owners = np.empty(3 * len(self.faces), dtype=np.uint16)
-        pairs = np.empty(3 * len(self.faces), dtype=np.int64)
-        vertices, neighbours = np.empty(total, dtype=np.int32), np.empty(len(pairs), dtype=np.int32)
-
-        def count(part):
-            # New memory is zeroed page by page when first written to: here by one thread each,
-            # where corners are dealt out by all threads at a time.
-            own = slice(3 * parts[part].start, 3 * parts[part].stop)
-            owners[own][::2048], pairs[own][::512] = 0, 0
-            # They were when the mesh was made; but its arrays may be those of somebody else.
-            if not corners.count(self.faces[parts[part]], total, SHIFT, counts[part]):
-                raise InputError("faces: changed since the mesh was made, to what is no vertex")
-
-        def deal(part):
-            corners.deal(self.faces[parts[part]], SHIFT, starts[part], owners, pairs)
-
-        def walk(bucket):
-            first, own = bucket << SHIFT, slice(*ends[bucket : bucket + 2])
-            found = vertices[first : first + (1 << SHIFT)], neighbours[own]
-            rings = corners.walk(owners[own], pairs[own], first, total, *found)
-            return list(_batches(rings, *found))
-
-        for_each(count, range(len(parts)), threads)
-        # Bucket by bucket, and in each part by part: in the order of the faces.
-        counts.T.cumsum(out=places[1:])
-        starts = places[:-1].reshape(counts.shape[::-1]).T.copy()
-        for_each(deal, range(len(parts)), threads)
-        ends = places[:: len(parts)] if parts else []
-        found = for_each(walk, range(len(ends) - 1), threads)
-        self.__dict__["rings"] = [batch for batches in found for batch in batches]
+        self.__dict__["rings"] = one_rings(self.faces, len(self.vertices), threads)
         return self.rings
-
-
-def _batches(rings, vertices, neighbours):
-    """Yield the batches, whose numbers of rings by valence are known."""
-    for n in np.flatnonzero(rings):
-        m = rings[n]
-        yield vertices[:m], neighbours[: n * m].reshape(n, m)
-        vertices, neighbours = vertices[m:], neighbours[n * m :]
 
 
 def as_mesh(obj) -> Mesh:

@@ -349,8 +349,8 @@ def test_several_at_once_on_any_number_of_threads_are_the_same(monkeypatch):
     m = curvlib.tessellate(curvlib.surface("ellipsoid"), 16, "random", seed=7)
     alone = {name: curvlib.estimate(m, name) for name in PAPER}
     monkeypatch.setattr("curvlib.estimation.BLOCK", 200)
-    monkeypatch.setattr("curvlib.mesh.SHIFT", 5)
-    monkeypatch.setattr("curvlib.mesh.PART", 37)
+    monkeypatch.setattr("curvlib.corners.SHIFT", 5)
+    monkeypatch.setattr("curvlib.corners.PART", 37)
     for threads in (1, 2, 5):
         again = curvlib.Mesh(m.vertices, m.faces, normals=m.normals)
         together = curvlib.estimate(again, PAPER, threads=threads)
