@@ -37,16 +37,20 @@ def typeset(source, output, results, **values) -> None:
     Path(output).write_bytes(pdf)
 
 
-def excerpt(table, **where) -> str:
-    """The header of a CSV table and the lines whose columns have the given values: what the
-    compiler would take seconds to find in a long one."""
-    with open(table, newline="") as file:
-        header, *lines = file
-    columns = header.rstrip().split(",")
-    wanted = [(columns.index(name), value) for name, value in where.items()]
-    for at, value in wanted:
-        lines = [line for line in lines if line.rstrip().split(",")[at] == value]
-    return "".join((header, *lines))
+def excerpts(folder, wanted: dict) -> dict:
+    """Of tables `<name>.csv` in a folder the header and the lines whose columns have one of the
+    values wanted, name -> column -> values: the compiler would take seconds to find them."""
+    found = {}
+    for name, where in wanted.items():
+        with Path(folder, f"{name}.csv").open(newline="") as file:
+            header, *lines = file
+        columns = header.rstrip().split(",")
+        for column, values in where.items():
+            at = columns.index(column)
+            # What is quoted has commas in later columns alone.
+            lines = [line for line in lines if line.rstrip().split(",", at + 1)[at] in values]
+        found[name] = "".join((header, *lines))
+    return found
 
 
 def caption(path) -> str:

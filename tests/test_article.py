@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from curvlib.article import caption, excerpt, typeset
+from curvlib.article import caption, excerpts, typeset
 from curvlib.errors import InputError
 
 ROOT = Path(__file__).parent.parent
@@ -121,6 +121,11 @@ def test_captions_are_plain_sentences_without_numbers():
         assert not re.search(r"\d", allowed), path
 
 
+EXCERPTS = {
+    "errors": {"norm": ["mean"], "diagonal": ["same"]},
+    "ranks": {"diagonal": ["same"], "reading": ["default"]},
+    "claims": {"claim": ["1", "2"]},
+}
 TABLES = {
     "tables/errors.csv": """
 surface,diagonal,n,estimator,reading,quantity,norm,value
@@ -181,8 +186,7 @@ def shown(tmp_path):
 
     def evaluate(expression):
         source = tmp_path / "small.typ"
-        table = tmp_path / "tables/errors.csv"
-        values["errors"] = excerpt(table, norm="mean", diagonal="same")
+        values["excerpts"] = excerpts(tmp_path / "tables", EXCERPTS)
         source.write_text(f'#import "results.typ": *\n#metadata({expression}) <shown>')
         typeset(source, tmp_path / "small.pdf", tmp_path, **values)
         inputs = {k: json.dumps(v) for k, v in values.items()} | {"results": str(tmp_path)}
