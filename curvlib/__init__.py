@@ -10,16 +10,17 @@ integrated over a cell; undefined is NaN.
 
 # The packages come first: imported later, they would take the place of the functions that
 # have their names.
+from curvlib.catalogue import estimators as _estimators
+from curvlib.catalogue import surfaces as _surfaces
+from curvlib.dataset.library import load_library
+from curvlib.errors import InputError
+from curvlib.estimation import Estimates, estimate
+from curvlib.meshes.mesh import Mesh
+from curvlib.nurbs.surface import Curvature, Surface
+from curvlib.nurbs.tessellation import tessellate
+from curvlib.surfaces import load as surface
+
 from . import estimators, surfaces
-from .catalogue import estimators as _estimators
-from .catalogue import surfaces as _surfaces
-from .errors import InputError
-from .estimation import Estimates, estimate
-from .library import load_library
-from .mesh import Mesh
-from .nurbs import Curvature, Surface
-from .surfaces import load as surface
-from .tessellation import tessellate
 
 __version__ = "0.1.0"
 

@@ -5,7 +5,7 @@ import importlib.util
 import sys
 from pathlib import Path
 
-from .errors import InputError, check_name
+from curvlib.errors import InputError, check_name
 
 
 class Catalogue:

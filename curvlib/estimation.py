@@ -8,10 +8,10 @@ from typing import get_args
 
 import numpy as np
 
-from .catalogue import estimators
-from .errors import InputError, check_name
-from .mesh import as_mesh
-from .parallel import for_each
+from curvlib.catalogue import estimators
+from curvlib.errors import InputError, check_name
+from curvlib.meshes.mesh import as_mesh
+from curvlib.parallel import for_each
 
 Estimates = namedtuple("Estimates", "K H")
 Estimates.__doc__ = """Pointwise estimates K and H, (V,) float64 each; NaN where undefined."""
@@ -65,7 +65,7 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     Raises InputError for an unknown estimator or option, for what is no triangle mesh and for
     an estimator that does not return K and H.
     """
-    from .ring import around, spread
+    from curvlib.kit.ring import around, spread
 
     mesh = as_mesh(mesh)
     if not isinstance(threads, Integral) or threads < 1:

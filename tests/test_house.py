@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 import curvlib
-from curvlib.provenance import digest
-from curvlib.study import Study
+from curvlib.study.config import Study
+from curvlib.study.digest import digest
 
 PACKAGE = Path(curvlib.__file__).parent
 
@@ -95,7 +95,7 @@ def test_listings_stay_callable_after_their_packages_are_used():
 
 def test_digest_follows_imports_but_not_comments(monkeypatch, tmp_path):
     copy = shutil.copytree(PACKAGE, tmp_path / "curvlib")
-    monkeypatch.setattr("curvlib.provenance.PACKAGE", copy)
+    monkeypatch.setattr("curvlib.study.digest.PACKAGE", copy)
     variant, parent = copy / "estimators/taubin_a.py", copy / "estimators/taubin.py"
     before, kept = digest(variant), parent.read_text()
     assert digest(PACKAGE / "estimators/taubin_a.py") == before

@@ -6,7 +6,7 @@ A file holds LABEL and STYLE (for legends) and
     def estimate(ring, option: Literal["default", "other"] = "default"):
         return K, H
 
-with arrays (m,) for a batch of m one-rings (see curvlib.ring), or None for a quantity it does
+with arrays (m,) for a batch of m one-rings (see curvlib.kit.ring), or None for a quantity it does
 not estimate. The keyword options are its readings, their Literal the valid values. Compiled
 code runs fast and on several threads; without the decorator it is NumPy on the same arrays.
 A first parameter called `mesh` instead of `ring` asks for the whole curvlib.Mesh, and arrays

@@ -5,10 +5,10 @@ from typing import Literal
 
 import numpy as np
 
-from curvlib.compiled import compiled
-from curvlib.fit import least_squares
-from curvlib.ring import Normal, canonical, unit_normal
-from curvlib.vectors import at, dot
+from curvlib.kit.compiled import compiled
+from curvlib.kit.fit import least_squares
+from curvlib.kit.ring import Normal, canonical, unit_normal
+from curvlib.kit.vectors import at, dot
 
 LABEL = "Circular fitting"
 STYLE = {"color": "#E69F00", "marker": "v", "linestyle": "-"}

@@ -5,8 +5,8 @@ from typing import Literal
 
 import numpy as np
 
-from curvlib.compiled import compiled
-from curvlib.ring import beta, following, mixed_area, total, total_angle, weighted_total
+from curvlib.kit.compiled import compiled
+from curvlib.kit.ring import beta, following, mixed_area, total, total_angle, weighted_total
 
 LABEL = "Gauss-Bonnet"
 STYLE = {"color": "#0072B2", "marker": "s", "linestyle": "-"}

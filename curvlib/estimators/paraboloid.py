@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 
-from curvlib.compiled import compiled
-from curvlib.fit import least_squares
-from curvlib.ring import Normal, canonical, unit_normal
-from curvlib.vectors import at
+from curvlib.kit.compiled import compiled
+from curvlib.kit.fit import least_squares
+from curvlib.kit.ring import Normal, canonical, unit_normal
+from curvlib.kit.vectors import at
 
 LABEL = "Paraboloid fitting"
 STYLE = {"color": "#D55E00", "marker": "o", "linestyle": "-"}

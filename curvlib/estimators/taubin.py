@@ -4,8 +4,8 @@ from typing import Literal
 
 import numpy as np
 
-from curvlib.compiled import compiled
-from curvlib.ring import Normal, canonical, kn, total, unit_normal, with_preceding
+from curvlib.kit.compiled import compiled
+from curvlib.kit.ring import Normal, canonical, kn, total, unit_normal, with_preceding
 
 Principal = Literal["corrected", "as-printed"]
 

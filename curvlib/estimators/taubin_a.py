@@ -2,9 +2,9 @@
 
 from typing import Literal
 
-from curvlib.compiled import compiled
 from curvlib.estimators.taubin import Principal, from_tensor
-from curvlib.ring import Normal, alpha, canonical, kn, unit_normal, with_preceding
+from curvlib.kit.compiled import compiled
+from curvlib.kit.ring import Normal, alpha, canonical, kn, unit_normal, with_preceding
 
 LABEL = "Taubin A"
 STYLE = {"color": "#CC79A7", "marker": "P", "linestyle": "--", "markerfacecolor": "white"}

@@ -2,9 +2,9 @@
 
 from typing import Literal
 
-from curvlib.compiled import compiled
 from curvlib.estimators.taubin import Principal, from_tensor
-from curvlib.ring import Normal, alpha, canonical, following, kn, unit_normal, with_preceding
+from curvlib.kit.compiled import compiled
+from curvlib.kit.ring import Normal, alpha, canonical, following, kn, unit_normal, with_preceding
 
 LABEL = "Taubin B"
 STYLE = {"color": "#CC79A7", "marker": "X", "linestyle": ":", "markerfacecolor": "white"}

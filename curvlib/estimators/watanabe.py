@@ -5,8 +5,8 @@ from typing import Literal
 
 import numpy as np
 
-from curvlib.compiled import compiled
-from curvlib.ring import Normal, alpha, canonical, kn, unit_normal
+from curvlib.kit.compiled import compiled
+from curvlib.kit.ring import Normal, alpha, canonical, kn, unit_normal
 
 LABEL = "Watanabe-Belyaev"
 STYLE = {"color": "#009E73", "marker": "^", "linestyle": "-"}

@@ -1,8 +1,8 @@
 """Watanabe A, section 3.6: base Watanabe with tangent directions and the uniform normal."""
 
-from curvlib.compiled import compiled
 from curvlib.estimators import watanabe
-from curvlib.ring import Normal
+from curvlib.kit.compiled import compiled
+from curvlib.kit.ring import Normal
 
 LABEL = "Watanabe A"
 STYLE = {"color": "#009E73", "marker": "<", "linestyle": "--", "markerfacecolor": "white"}

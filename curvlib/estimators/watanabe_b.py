@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from curvlib.compiled import compiled
-from curvlib.ring import Normal, kn, unit_normal
+from curvlib.kit.compiled import compiled
+from curvlib.kit.ring import Normal, kn, unit_normal
 
 LABEL = "Watanabe B"
 STYLE = {"color": "#009E73", "marker": ">", "linestyle": ":", "markerfacecolor": "white"}

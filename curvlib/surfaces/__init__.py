@@ -4,8 +4,8 @@ A file holds LABEL (for legends) and build(), which returns a geomdl NURBS surfa
 normal S_u x S_v points outward. Closed directions and poles are read off the control net.
 """
 
-from ..catalogue import surfaces
-from ..nurbs import Surface
+from curvlib.catalogue import surfaces
+from curvlib.nurbs.surface import Surface
 
 
 def load(name: str) -> Surface:

@@ -10,10 +10,10 @@ sys.path.insert(0, workflow.basedir)
 
 from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError
-from curvlib.library import mesh_files
-from curvlib.norms import VERTICES
-from curvlib.provenance import digest
-from curvlib.study import Study, variant
+from curvlib.dataset.library import mesh_files
+from curvlib.comparison.norms import VERTICES
+from curvlib.study.digest import digest
+from curvlib.study.config import Study, variant
 
 # One thread per job: jobs run side by side, and sums come out the same on any machine.
 os.environ |= {

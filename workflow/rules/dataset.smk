@@ -1,7 +1,7 @@
 # In: the meshes of the study, the surfaces, templates of what describes them.
 # Out: one archive of all that, and its hash. Not part of `all`.
 from curvlib import __version__
-from curvlib.library import nurbs_file
+from curvlib.dataset.library import nurbs_file
 
 TEMPLATES = [
     f"{workflow.basedir}/workflow/archive/{name}"

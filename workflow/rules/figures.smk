@@ -1,6 +1,6 @@
 # In: the tables. Out: mean absolute error against triangles for all surfaces, with the paper's
 # Figures 3 to 6 among them, SVG and PNG; and what pictures.smk draws.
-from curvlib.claims import CLAIMS
+from curvlib.claims.sentences import CLAIMS
 
 CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in "KH")]
 READING_FIGURES = [f"readings-claim-{number}" for number in range(1, len(CLAIMS) + 1)]

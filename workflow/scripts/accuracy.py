@@ -2,8 +2,8 @@
 
 import pandas as pd
 
-from curvlib import accuracy
-from curvlib.job import logged
+from curvlib.comparison import accuracy
+from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     params, output = snakemake.params, snakemake.output

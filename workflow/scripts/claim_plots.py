@@ -2,10 +2,12 @@
 
 import pandas as pd
 
-from curvlib import claim_figures, evidence, figures
 from curvlib.catalogue import estimators, surfaces
-from curvlib.claims import chosen
-from curvlib.job import logged
+from curvlib.claims import evidence
+from curvlib.claims.sentences import chosen
+from curvlib.figures import curves as figures
+from curvlib.figures import verdicts as claim_figures
+from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     inputs, params = snakemake.input, snakemake.params

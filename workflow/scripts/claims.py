@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pandas as pd
 
-from curvlib import accuracy, evidence
-from curvlib.job import logged
+from curvlib.claims import evidence
+from curvlib.comparison import accuracy
+from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     inputs, params, output = snakemake.input, snakemake.params, snakemake.output

@@ -4,10 +4,10 @@ import re
 from pathlib import Path
 
 from curvlib.catalogue import surfaces
-from curvlib.dataset import write_archive
-from curvlib.description import describe
-from curvlib.job import logged
-from curvlib.library import load_library
+from curvlib.dataset.archive import write_archive
+from curvlib.dataset.description import describe
+from curvlib.dataset.library import load_library
+from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     files, params = snakemake.input, snakemake.params

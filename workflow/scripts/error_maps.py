@@ -1,12 +1,12 @@
 """Draw where each estimator errs on one mesh."""
 
-from curvlib import pictures
 from curvlib.catalogue import estimators, surfaces
-from curvlib.figures import save
-from curvlib.job import logged
-from curvlib.library import load_library
-from curvlib.render import renderer
-from curvlib.results import read_values
+from curvlib.comparison.run import read_values
+from curvlib.dataset.library import load_library
+from curvlib.figures import pictures
+from curvlib.figures.curves import save
+from curvlib.figures.render import renderer
+from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     inputs, params = snakemake.input, snakemake.params

@@ -3,8 +3,8 @@
 import pandas as pd
 
 from curvlib.catalogue import estimators, surfaces
-from curvlib.figures import error_plot, save
-from curvlib.job import logged
+from curvlib.figures.curves import error_plot, save
+from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     params = snakemake.params

@@ -1,8 +1,8 @@
 """Run one estimator, in all its variants, on every mesh of the library."""
 
-from curvlib.job import logged
-from curvlib.library import load_library
-from curvlib.results import run_estimator
+from curvlib.comparison.run import run_estimator
+from curvlib.dataset.library import load_library
+from curvlib.study.job import logged
 from curvlib.surfaces import load
 
 with logged(snakemake.log[0]):

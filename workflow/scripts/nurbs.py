@@ -1,7 +1,7 @@
 """Write the NURBS surfaces of the library."""
 
-from curvlib.job import logged
-from curvlib.library import write_nurbs
+from curvlib.dataset.library import write_nurbs
+from curvlib.study.job import logged
 from curvlib.surfaces import load
 
 with logged(snakemake.log[0]):

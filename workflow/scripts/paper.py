@@ -1,8 +1,8 @@
 """Typeset the article from the results of this run."""
 
-from curvlib import article
 from curvlib.catalogue import estimators, surfaces
-from curvlib.job import logged
+from curvlib.study import article
+from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     params = snakemake.params

@@ -1,11 +1,11 @@
 """Draw the surfaces, the tessellations of one of them, and exact curvature."""
 
-from curvlib import pictures
 from curvlib.catalogue import surfaces
-from curvlib.figures import save
-from curvlib.job import logged
-from curvlib.library import load_library
-from curvlib.render import renderer
+from curvlib.dataset.library import load_library
+from curvlib.figures import pictures
+from curvlib.figures.curves import save
+from curvlib.figures.render import renderer
+from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     params, output = snakemake.params, snakemake.output

@@ -2,10 +2,10 @@
 
 import pandas as pd
 
-from curvlib.claim_figures import specification_curve
-from curvlib.claims import chosen
-from curvlib.figures import save
-from curvlib.job import logged
+from curvlib.claims.sentences import chosen
+from curvlib.figures.curves import save
+from curvlib.figures.verdicts import specification_curve
+from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     params = snakemake.params

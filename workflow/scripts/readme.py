@@ -4,7 +4,7 @@ import re
 import shutil
 from pathlib import Path
 
-from curvlib.job import logged
+from curvlib.study.job import logged
 
 BEGIN, END = "<!-- answer: written by `snakemake readme` -->", "<!-- end of answer -->"
 

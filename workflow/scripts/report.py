@@ -5,7 +5,7 @@ import subprocess
 import sys
 import tempfile
 
-from curvlib.job import logged
+from curvlib.study.job import logged
 
 with logged(snakemake.log[0]), tempfile.NamedTemporaryFile("w", suffix=".json") as config:
     json.dump(snakemake.params.config, config)

@@ -3,9 +3,9 @@
 import pandas as pd
 
 from curvlib.catalogue import estimators
-from curvlib.figures import save, throughput_plot
-from curvlib.job import logged
-from curvlib.throughput import exact_rows, rows
+from curvlib.comparison.throughput import exact_rows, rows
+from curvlib.figures.curves import save, throughput_plot
+from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     table = pd.DataFrame(rows(snakemake.params.sizes))

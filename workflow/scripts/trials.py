@@ -1,9 +1,9 @@
 """Put one estimator, in all its variants, through noise and shrinking rings."""
 
-from curvlib.job import logged
-from curvlib.library import load_library
-from curvlib.results import write_rows
-from curvlib.trials import noise_rows, ring_rows
+from curvlib.comparison.run import write_rows
+from curvlib.comparison.trials import noise_rows, ring_rows
+from curvlib.dataset.library import load_library
+from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     params, name = snakemake.params, {"estimator": snakemake.wildcards.estimator}

@@ -1,0 +1,1 @@
+"""The paper's sentences: stated, decided, summed up."""

@@ -1,0 +1,1 @@
+"""Estimates against exact values: norms, runs, trials, slopes and ranks, cost."""

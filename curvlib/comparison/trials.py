@@ -1,0 +1,99 @@
+"""Two experiments beyond the paper's: noise on its meshes, and rings that shrink on a quadric."""
+
+import numpy as np
+
+from curvlib.catalogue import estimators
+from curvlib.estimation import estimate, takes_mesh
+from curvlib.kit.ring import one_ring
+from curvlib.meshes.mesh import Mesh
+
+# Standard deviation of the displacement, as a fraction of the mean edge.
+SIGMAS = (0.0, 0.001, 0.01, 0.05)
+NOISE_DRAWS = 10
+
+VALENCES = range(3, 10)
+SIZES = 0.5 ** np.arange(1, 9)
+RING_DRAWS = 100
+
+
+def noise_rows(mesh: Mesh, estimator: str, variants: dict, seed: int = 0):
+    """Yield rows of noise.csv for one mesh: mean absolute errors under displaced vertices.
+
+    Every vertex moves along its exact normal by a normal deviate, the same for all estimators.
+    `value` is the mean over the draws of the mean error (of |H| for H), `spread` their standard
+    deviation.
+    """
+    edges = mesh.vertices[mesh.faces] - mesh.vertices[np.roll(mesh.faces, -1, axis=1)]
+    length = np.linalg.norm(edges, axis=2).mean()
+    for sigma in SIGMAS:
+        rng = np.random.default_rng(seed)
+        draws = NOISE_DRAWS if sigma else 1
+        shifts = sigma * length * rng.standard_normal((draws, len(mesh.vertices), 1))
+        # Where the normal is undefined the vertex stays.
+        noisy = [mesh.moved(mesh.vertices + np.nan_to_num(s * mesh.normals)) for s in shifts]
+        for variant, options in variants.items():
+            results = [estimate(m, estimator, **options) for m in noisy]
+            for quantity in ("K", "H"):
+                found = np.array([getattr(r, quantity) for r in results])
+                exact = getattr(mesh, quantity)
+                if quantity == "H":
+                    found, exact = np.abs(found), np.abs(exact)
+                defined = np.isfinite(found).all(0) & np.isfinite(exact)
+                if not defined.any():
+                    continue
+                means = np.abs(found - exact)[:, defined].mean(1)
+                yield {
+                    "variant": variant,
+                    "quantity": quantity,
+                    "sigma": sigma,
+                    "draws": draws,
+                    "value": float(means.mean()),
+                    "spread": float(means.std()),
+                }
+
+
+def ring_rows(estimator: str, variants: dict, seed: int = 0):
+    """Yield rows of rings.csv: mean absolute error against ring size h, valence by valence.
+
+    Each draw is a quadric through the origin, tangent to z = 0 there,
+
+        z = (k1 x^2 + k2 y^2) / 2 + z (p x + q y) + r z^2 / 2,
+
+    and a ring about the origin: `regular` neighbours at equal angles and distances h in the
+    tangent plane, `irregular` ones jittered in both. An estimator of whole meshes has no rows.
+    """
+    function = estimators.module(estimator).estimate
+    if takes_mesh(function):
+        return
+    for n in VALENCES:
+        for kind, jitter in (("regular", 0.0), ("irregular", 0.2)):
+            rng = np.random.default_rng([seed, n])
+            k1, k2, p, q, r = rng.uniform(-1, 1, (5, 1, RING_DRAWS))
+            p, q, r = p / 2, q / 2, r / 2  # so that the quadric reaches over the largest ring
+            turn = rng.uniform(0, 2 * np.pi, (1, RING_DRAWS))
+            steps = np.arange(n)[:, None] + jitter * rng.uniform(-1, 1, (n, RING_DRAWS))
+            distance = 1 + jitter * rng.uniform(-1, 1, (n, RING_DRAWS))
+            angle = turn + 2 * np.pi * steps / n
+            K, H = (k1 * k2)[0], -(k1 + k2)[0] / 2
+            for h in SIZES:
+                x, y = h * distance * np.cos(angle), h * distance * np.sin(angle)
+                f, b = (k1 * x * x + k2 * y * y) / 2, 1 - p * x - q * y
+                z = 2 * f / (b + np.sqrt(b * b - 2 * r * f))
+                up = np.zeros((3, RING_DRAWS))
+                up[2] = 1
+                ring = one_ring(np.stack((x, y, z)), up)
+                for variant, options in variants.items():
+                    with np.errstate(divide="ignore", invalid="ignore"):
+                        found = function(ring, **options)
+                    for quantity, exact, value in zip("KH", (K, H), found):
+                        if value is not None:
+                            error = np.abs(value - exact)
+                            yield {
+                                "variant": variant,
+                                "valence": n,
+                                "ring": kind,
+                                "h": float(h),
+                                "quantity": quantity,
+                                "value": float(error[np.isfinite(error)].mean()),
+                                "undefined": int((~np.isfinite(error)).sum()),
+                            }

@@ -1,0 +1,1 @@
+"""The library of meshes: formats, writing, archive, loading, fetching."""

@@ -1,0 +1,85 @@
+"""One mesh in a file: VTKHDF, PLY, and the text that the paper describes.
+
+Nothing in them is compressed: what deflate makes of the same bytes depends on the zlib of the
+machine.
+"""
+
+import numpy as np
+
+from curvlib.meshes.mesh import FIELDS, Mesh
+
+# Version of the layout that PolyData came with.
+VTKHDF_VERSION = (2, 0)
+
+
+def write_vtkhdf(path, mesh: Mesh, about: dict) -> None:
+    """HDF5 in the VTKHDF layout, PolyData: what VTK, ParaView and pyvista open as it is.
+
+    Point data are the mesh's exact values and H2 = H^2, `smooth` and `boundary` as 0 or 1.
+    `about`: attributes of the file's root.
+    """
+    import h5py
+
+    with h5py.File(path, "w") as file:
+        file.attrs.update(about)
+        root = file.create_group("VTKHDF")
+        root.attrs["Version"] = VTKHDF_VERSION
+        root.attrs["Type"] = np.bytes_("PolyData")
+        root["Points"] = mesh.vertices
+        root["NumberOfPoints"] = [len(mesh.vertices)]
+        for kind in ("Vertices", "Lines", "Strips", "Polygons"):
+            faces = mesh.faces if kind == "Polygons" else mesh.faces[:0]
+            cells = root.create_group(kind)
+            cells["Connectivity"] = faces.ravel().astype(np.int64)
+            cells["Offsets"] = 3 * np.arange(len(faces) + 1, dtype=np.int64)
+            cells["NumberOfCells"] = [len(faces)]
+            cells["NumberOfConnectivityIds"] = [faces.size]
+        data = root.create_group("PointData")
+        arrays = {name: getattr(mesh, name) for name in FIELDS}
+        arrays |= {"H2": mesh.H2, "boundary": mesh.boundary}
+        for name, array in arrays.items():
+            data[name] = array.astype(np.uint8) if array.dtype == bool else array
+
+
+def read_vtkhdf(file) -> Mesh:
+    """The mesh in an open h5py file of `write_vtkhdf`; KeyError where a part is missing."""
+    root = file["VTKHDF"]
+    fields = {name: root["PointData"][name][()] for name in FIELDS}
+    fields["smooth"] = fields["smooth"].astype(bool)
+    faces = root["Polygons/Connectivity"][()].reshape(-1, 3)
+    return Mesh(root["Points"][()], faces, **fields)
+
+
+def write_ply(path, mesh: Mesh, about: dict) -> None:
+    """Binary PLY in double precision: x y z, the normal, K, H2 = H^2, and K again as `quality`,
+    the only scalar that MeshLab shows. `about`: comment lines of its header."""
+    columns = {"x y z": mesh.vertices, "nx ny nz": mesh.normals}
+    columns |= {"K": mesh.K, "H2": mesh.H2, "quality": mesh.K}
+    names = " ".join(columns).split()
+    face = np.dtype([("count", "u1"), ("vertices", "<i4", 3)])
+    faces = np.empty(len(mesh.faces), dtype=face)
+    faces["count"], faces["vertices"] = 3, mesh.faces
+    header = [
+        "ply",
+        "format binary_little_endian 1.0",
+        *(f"comment {key}: {value}" for key, value in about.items()),
+        f"element vertex {len(mesh.vertices)}",
+        *(f"property double {name}" for name in names),
+        f"element face {len(mesh.faces)}",
+        "property list uchar int vertex_indices",
+        "end_header",
+    ]
+    with open(path, "wb") as file:
+        file.write("\n".join(header).encode() + b"\n")
+        file.write(np.column_stack(list(columns.values())).astype("<f8").tobytes())
+        file.write(faces.tobytes())
+
+
+def write_text(path, mesh: Mesh, about: dict) -> None:
+    """A line `x y z K H^2` per vertex, 17 digits: the doubles come back.
+
+    `about`: lines before them, which start with #.
+    """
+    header = "\n".join([*(f"{key}: {value}" for key, value in about.items()), "x y z K H^2"])
+    rows = np.column_stack((mesh.vertices, mesh.K, mesh.H2))
+    np.savetxt(path, rows, fmt="%.17g", header=header)

@@ -1,0 +1,1 @@
+"""Every picture, from tables and library files."""

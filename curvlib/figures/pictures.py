@@ -1,0 +1,232 @@
+"""Pictures of the surfaces: themselves, their meshes, exact curvature, errors of the estimates.
+
+Each is composed of images that a function of `render` draws: `draw`, Scene -> image. A surface's
+module says how it is shown: LABEL; UP, the axis that points up (z where it says nothing); and
+CLOSE_UP, a part of the domain ((u0, u1), (v0, v1)) to show closer by, where errors gather.
+"""
+
+import matplotlib
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import AsinhNorm, LogNorm
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch, Rectangle
+
+from curvlib.comparison.norms import ROUNDING, largest_curvature
+
+from .curves import DPI, NAMES, UNITS
+from .views import View, edges, iso_lines
+
+PAGE = 1400  # pixels
+GAP = 24  # pixels around an image
+
+# Zero is a pale yellow, neither the white of the page nor the neutral grey. That is darker than
+# the one, and lighter than where the other runs through grey for those who see no red or green.
+DIVERGING, SEQUENTIAL = (matplotlib.colormaps[name] for name in ("RdYlBu_r", "viridis"))
+NEUTRAL = (0.78, 0.78, 0.78)
+AMBIENT = 0.8  # of the light on colours that have to be read
+COVERED = 0.99  # of the surface, or of the errors: within the ends of a scale
+FLAT = AsinhNorm(1, -1, 1)  # of what is zero everywhere
+POWER = {"K": 2, "H": 1}  # of a principal curvature
+
+
+def surface_plate(meshes, numbers, modules, draw) -> Figure:
+    """The surfaces with iso-parameter lines, named and numbered: the paper's Figure 1.
+
+    `meshes`: (surface, diagonal, n) -> Mesh; `numbers` and `modules`: of every surface, by name.
+    """
+    plate = _Plate(len(meshes), below=50)
+    for ((surface, _, n), mesh), panel in zip(meshes.items(), plate.panels):
+        panel.show(draw(_view(mesh, modules[surface], panel).scene(edges=iso_lines(mesh, n))))
+        panel.title(f"({numbers[surface]}) {modules[surface].LABEL}")
+    return plate.figure
+
+
+def tessellation_plate(meshes, modules, draw) -> Figure:
+    """Meshes, each facet shaded by itself, with edges and triangle counts: the paper's Figure 2."""
+    plate = _Plate(len(meshes), below=50, shape=0.8)
+    for number, (((surface, *_), mesh), panel) in enumerate(zip(meshes.items(), plate.panels), 1):
+        view = _view(mesh, modules[surface], panel)
+        # Finer lines on finer meshes, or those would be all ink.
+        width = float(np.clip(30 / np.sqrt(len(mesh.faces)), 0.35, 1.2))
+        panel.show(draw(view.scene(edges=edges(mesh), flat=True, width=width)))
+        panel.title(f"({number}) {len(mesh.faces)} triangles")
+    return plate.figure
+
+
+def curvature_map(meshes, quantity: str, modules, draw) -> Figure:
+    """The surfaces coloured by exact K or H, each on its own scale with zero in the middle.
+
+    Linear up to the median of the absolute values by area, logarithmic from there, to what
+    COVERED of the area does not exceed.
+    """
+    plate = _Plate(len(meshes), below=130, foot=80)
+    for ((surface, *_), mesh), panel in zip(meshes.items(), plate.panels):
+        values = getattr(mesh, quantity)
+        norm = _around_zero(values, mesh, largest_curvature(mesh) ** POWER[quantity])
+        colours = _colours(values, norm, DIVERGING)
+        panel.show(draw(_view(mesh, modules[surface], panel).scene(colours, ambient=AMBIENT)))
+        panel.title(modules[surface].LABEL)
+        if norm is not FLAT:
+            panel.scale(norm, DIVERGING, values)
+        elif np.isfinite(values).any():
+            panel.text(0.5, -52 / panel.size[1], f"{quantity} = 0", ha="center")
+    plate.words(
+        f"Exact {NAMES[quantity]} in {UNITS[quantity]}. Each scale is linear up to the median of "
+        f"|{quantity}| over the area\nand logarithmic from there; {COVERED:.0%} of the area lies "
+        "within, the rest beyond the arrows."
+    )
+    if any(np.isnan(getattr(mesh, quantity)).any() for mesh in meshes.values()):
+        plate.neutral("no exact value")
+    return plate.figure
+
+
+def error_map(mesh, estimates, quantity: str, surface, modules, draw) -> Figure:
+    """Where each estimator errs on one mesh: |K - K_est|, or ||H| - |H_est|| as in the paper.
+
+    `estimates`: name -> Estimates; `surface`: the surface's module; `modules`: the estimators'.
+    One scale for all, logarithmic, from the quantile 1 - COVERED of all errors to COVERED.
+    """
+    errors = {}
+    for name, values in estimates.items():
+        both = np.stack([getattr(mesh, quantity), getattr(values, quantity)])
+        if np.isfinite(both[1]).any():
+            exact, estimate = both if quantity == "K" else np.abs(both)
+            errors[name] = np.abs(exact - estimate)
+    every = np.concatenate([[], *errors.values()])
+    norm = _logarithmic(every)
+    part = getattr(surface, "CLOSE_UP", None)
+    plate = _Plate(len(errors), below=50, foot=110, shape=0.52 if part else 1.0)
+    for (name, values), panel in zip(errors.items(), plate.panels):
+        colours = _colours(values, norm, SEQUENTIAL)
+        for half, shown in zip(panel.halves() if part else [panel], (None, part)):
+            scene = _view(mesh, surface, half, shown).scene(colours, ambient=AMBIENT)
+            half.show(draw(scene), framed=shown is not None)
+        panel.title(modules[name].LABEL)
+    plate.words(f"{surface.LABEL}\n{len(mesh.faces)} triangles")
+    symbol = {"K": r"$|K - K_\mathrm{est}|$", "H": r"$||H| - |H_\mathrm{est}||$"}[quantity]
+    plate.scale(norm, SEQUENTIAL, every, f"{symbol} ({UNITS[quantity]})")
+    plate.neutral("undefined")
+    return plate.figure
+
+
+def _view(mesh, module, panel, part=None):
+    return View(mesh, panel.size, getattr(module, "UP", "z"), part)
+
+
+def _colours(values, norm, colormap):
+    """Colours (V, 3) of values (V,), NEUTRAL where they are NaN."""
+    colours = colormap(norm(np.nan_to_num(values)))[:, :3]
+    return np.where(np.isfinite(values)[:, None], colours, NEUTRAL)
+
+
+def _around_zero(values, mesh, scale):
+    """The norm of a map of K or H, FLAT where that is 0; `scale`: the largest K or H that the
+    curvatures would allow, beside which rounding is 0."""
+    a, b, c = mesh.vertices[mesh.faces].swapaxes(0, 1)
+    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    areas = np.bincount(mesh.faces.ravel(), np.repeat(areas, 3), len(values))
+    order = np.argsort(np.abs(values), kind="stable")[: np.isfinite(values).sum()]
+    sizes, covered = np.abs(values[order]), np.cumsum(areas[order])
+    if not (sizes > ROUNDING * scale).any():
+        return FLAT
+    typical, limit = np.interp([0.5, COVERED], covered / covered[-1], sizes)
+    limit = max(limit, sizes[-1] / 1000)  # which is 0 where nearly everything is
+    return AsinhNorm(max(typical, limit / 1000), -limit, limit)
+
+
+def _logarithmic(values):
+    """A logarithmic norm that leaves out at either end as many of the values as COVERED allows."""
+    some = values[values > 0]
+    low, high = np.quantile(some, [1 - COVERED, COVERED]) if len(some) else (1, 1)
+    return LogNorm(low, max(high, 10 * low), clip=True)
+
+
+class _Plate:
+    """A figure of panels in rows, each with `below` pixels for words under its image, and `foot`
+    pixels for what holds for all; `shape` is an image's height over its width."""
+
+    def __init__(self, count, below, foot=0, shape=1.0):
+        columns = min((4, 3), key=lambda c: -count % c)
+        rows, cell = -(-count // columns), PAGE // columns
+        width, height = cell - GAP, round((cell - GAP) * shape)
+        step = height + below + GAP
+        top = foot + rows * step
+        self.figure = Figure(figsize=(PAGE / DPI, top / DPI), dpi=DPI)
+        self.foot = _Panel(self.figure, GAP, 0, (PAGE - 2 * GAP, foot))
+        self.panels = []
+        for k in range(count):
+            row, column = divmod(k, columns)
+            in_row = min(columns, count - row * columns)
+            left = (PAGE - in_row * cell + GAP) // 2 + column * cell
+            bottom = top - (row + 1) * step + below
+            self.panels.append(_Panel(self.figure, left, bottom, (width, height)))
+
+    def words(self, text):
+        self.foot.text(0, 0.5, text, ha="left")
+
+    def scale(self, norm, colormap, values, label):
+        width, height = self.foot.size
+        axes = self.foot.axes(width // 4, height - 30, width // 2, 20)
+        _bar(axes, norm, colormap, values).set_label(label, fontsize=8)
+
+    def neutral(self, label):
+        """A legend entry of the colour of what is undefined."""
+        handles = [Patch(color=NEUTRAL, label=label)]
+        self.foot.axes(0, 0, *self.foot.size).legend(handles=handles, loc="right", fontsize=8)
+
+
+class _Panel:
+    """A place for an image of `size` (width, height), everything in pixels."""
+
+    def __init__(self, figure, left, bottom, size):
+        self.figure, self.left, self.bottom, self.size = figure, left, bottom, size
+
+    def halves(self):
+        """Two panels side by side in the place of this one."""
+        half = (self.size[0] - GAP) // 2
+        lefts = (self.left, self.left + half + GAP)
+        return [_Panel(self.figure, left, self.bottom, (half, self.size[1])) for left in lefts]
+
+    def axes(self, left, bottom, width, height):
+        """Axes, not yet seen, at a place counted from the lower left corner."""
+        whole = np.array([PAGE, self.figure.bbox.height] * 2)
+        place = np.array([self.left + left, self.bottom + bottom, width, height])
+        axes = self.figure.add_axes(place / whole)
+        axes.axis("off")
+        return axes
+
+    def show(self, image, framed=False):
+        axes = self.axes(0, 0, *self.size)
+        axes.imshow(image, interpolation="nearest", aspect="auto")
+        if framed:
+            edge = {"color": "0.75", "linewidth": 0.8, "fill": False}
+            axes.add_patch(Rectangle((0, 0), 1, 1, transform=axes.transAxes, **edge))
+
+    def title(self, text):
+        self.text(0.5, -22 / self.size[1], text, ha="center")
+
+    def text(self, x, y, text, ha):
+        self.axes(0, 0, *self.size).text(x, y, text, ha=ha, va="center", fontsize=8)
+
+    def scale(self, norm, colormap, values):
+        width = self.size[0]
+        bar = _bar(self.axes(width // 8, -62, 3 * width // 4, 14), norm, colormap, values)
+        middle = float(f"{norm.inverse(0.75):.1g}")
+        ticks = [norm.vmin, -middle, 0, middle, norm.vmax]
+        labels = [f"{float(f'{t:.2g}'):g}".replace("-", "\N{MINUS SIGN}") for t in ticks]
+        bar.set_ticks(ticks, labels=labels)
+        bar.minorticks_off()
+
+
+def _bar(axes, norm, colormap, values):
+    """A colour bar that fills the axes, with an arrow at each end that some value lies beyond."""
+    axes.axis("on")
+    slack = ROUNDING * np.abs([norm.vmin, norm.vmax])
+    low, high = (values < norm.vmin - slack[0]).any(), (values > norm.vmax + slack[1]).any()
+    extend = {(0, 0): "neither", (1, 0): "min", (0, 1): "max", (1, 1): "both"}[low, high]
+    shown = ScalarMappable(norm, colormap)
+    bar = axes.figure.colorbar(shown, axes, orientation="horizontal", extend=extend)
+    bar.outline.set_visible(False)
+    axes.tick_params(labelsize=7, length=2, which="both")
+    return bar

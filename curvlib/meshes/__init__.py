@@ -1,0 +1,1 @@
+"""Triangle meshes: validation, and who is around a vertex."""

@@ -1,0 +1,1 @@
+"""Exact curvature of NURBS surfaces, and their tessellation."""

@@ -1,0 +1,163 @@
+"""From a NURBS surface to a triangle mesh: the uniform grid, its seams, poles and diagonals."""
+
+import itertools
+from numbers import Integral
+
+import numpy as np
+
+from curvlib.errors import InputError, check_name
+from curvlib.meshes.mesh import Mesh
+
+from .surface import Surface
+
+JITTER = 0.3  # of a cell: below 0.5, so that the order of a row's points is kept
+
+
+def check_resolution(n, where: str = "") -> None:
+    """Raise InputError unless n is an integer of at least 3."""
+    if not isinstance(n, Integral) or isinstance(n, bool) or n < 3:
+        place = f"{where}: " if where else ""
+        raise InputError(f"{place}resolution {n!r} is not an integer of at least 3")
+
+
+def check_cut(key, where: str = "") -> None:
+    """Raise InputError unless `key` is a diagonal, or a random one and its seed: `random-3`."""
+    diagonal, _, seed = str(key).partition("-")
+    check_name("diagonal", diagonal, DIAGONALS, where)
+    if seed and not (seed.isdigit() and diagonal in SEEDED):
+        place = f"{where}: " if where else ""
+        raise InputError(f"{place}{key!r}: a seed is a number, after {' or '.join(SEEDED)} alone")
+
+
+def tessellate(surface: Surface, n: int, diagonal: str = "same", seed: int = 0) -> Mesh:
+    """A mesh of n x n cells uniform in (u, v), cut in two, with exact values at its vertices.
+
+    Seams are welded, a pole is one vertex and its cells are single triangles: 2 n^2 triangles,
+    less n per pole. Faces turn like S_u x S_v. A vertex on a seam or pole has the lowest of its
+    parameters as `uv`.
+
+    `diagonal`: "same" joins (u_i, v_j) to (u_i+1, v_j+1) in every cell, "alternate" changes
+    from cell to cell like a chessboard, "shortest" takes the shorter one in space (equal ones
+    as "same"), "random" draws with `seed`; "jittered" moves every grid point by up to JITTER
+    cells, drawn with `seed` (on the boundary along it), and triangulates by Delaunay in the
+    parameter domain. "random-3" is "random" with seed 3.
+
+    Raises InputError for a resolution below 3 or not an integer, and for an unknown diagonal.
+    """
+    check_resolution(n)
+    check_cut(diagonal)
+    diagonal, _, number = diagonal.partition("-")
+    grid = _Grid(surface, n)
+    faces = DIAGONALS[diagonal](grid, np.random.default_rng(int(number or seed)))
+    collapsed = (faces == np.roll(faces, 1, axis=1)).any(1)
+    exact = surface.curvature(*grid.uv.T)._asdict()
+    normals = exact.pop("normal")
+    return Mesh(grid.vertices, faces[~collapsed], uv=grid.uv, normals=normals, **exact)
+
+
+class _Grid:
+    """The points of the uniform grid: `index` (n + 1, n + 1) is the vertex at each, one for a
+    seam's two and a pole's all; `at` (2, V) are the vertices' places in cells."""
+
+    def __init__(self, surface, n):
+        self.surface, self.n = surface, n
+        steps = np.arange(n + 1)
+        index = steps[:, None] * (n + 1) + steps
+        for axis, line in enumerate((index, index.T)):
+            if surface.closed[axis]:
+                line[-1] = line[0]
+            for end in (0, -1):
+                if surface.has_pole(axis, end):
+                    line[end] = line[end].min()
+        kept, index = np.unique(index, return_inverse=True)
+        self.index = index.reshape(n + 1, n + 1)
+        self.at = np.array([kept // (n + 1), kept % (n + 1)])
+
+    @property
+    def uv(self):
+        # (high - low) k / n is correctly rounded, so that knots at grid rows are met exactly.
+        domain = self.surface.domain
+        return np.stack([a + (b - a) * k / self.n for k, (a, b) in zip(self.at, domain)], axis=1)
+
+    @property
+    def vertices(self):
+        return self.surface.point(*self.uv.T)
+
+    def corners(self):
+        """The vertices a, b, c, d around every cell, each (n, n)."""
+        i = self.index
+        return i[:-1, :-1], i[1:, :-1], i[1:, 1:], i[:-1, 1:]
+
+    def cut(self, other):
+        """Faces (2 n^2, 3): cells cut along a-c, or along b-d where `other` (n, n) is true."""
+        a, b, c, d = self.corners()
+        other = np.broadcast_to(other, a.shape)[..., None]
+        lower = np.where(other, np.stack((a, b, d), -1), np.stack((a, b, c), -1))
+        upper = np.where(other, np.stack((b, c, d), -1), np.stack((a, c, d), -1))
+        return np.stack((lower, upper), axis=2).reshape(-1, 3)
+
+
+def _same(grid, rng):
+    return grid.cut(False)
+
+
+def _alternate(grid, rng):
+    i, j = np.indices((grid.n, grid.n))
+    return grid.cut((i + j) % 2 == 1)
+
+
+def _shortest(grid, rng):
+    points = grid.vertices
+    a, b, c, d = grid.corners()
+    ac, bd = (((points[p] - points[q]) ** 2).sum(-1) for p, q in ((a, c), (b, d)))
+    return grid.cut(bd < ac * (1 - 1e-9))
+
+
+def _random(grid, rng):
+    return grid.cut(rng.random((grid.n, grid.n)) < 0.5)
+
+
+def _jittered(grid, rng):
+    """Moves the grid's points and triangulates copies of them side by side across the seams."""
+    from scipy.spatial import Delaunay
+
+    n, surface = grid.n, grid.surface
+    nodes = np.array(
+        list(itertools.product(*(range(n if closed else n + 1) for closed in surface.closed)))
+    )
+    at = nodes + rng.uniform(-JITTER, JITTER, nodes.shape)
+    for axis in (0, 1):
+        if surface.closed[axis]:
+            continue
+        for end, line in ((0, 0), (-1, n)):
+            on_edge = nodes[:, axis] == line
+            at[on_edge, axis] = line
+            if surface.has_pole(axis, end):
+                at[on_edge] = nodes[on_edge]
+    vertex = grid.index[tuple(nodes.T)]
+    grid.at = np.empty(grid.at.shape)
+    # Written backwards, so that a pole, as in the grid, has the place of its first node.
+    grid.at[:, vertex[::-1]] = at[::-1].T
+    for axis in np.flatnonzero(surface.closed):
+        grid.at[axis] %= n
+    shifts = itertools.product(*((0, -n, n) if closed else (0,) for closed in surface.closed))
+    copies = np.concatenate([at + shift for shift in shifts])
+    triangles = Delaunay(copies).simplices
+    (ax, ay), (bx, by), (cx, cy) = copies[triangles].transpose(1, 2, 0)
+    clockwise = (bx - ax) * (cy - ay) < (by - ay) * (cx - ax)
+    triangles[clockwise] = triangles[clockwise][:, ::-1]
+    # Of a triangle's copies the one is taken whose first node is no copy.
+    node = triangles % len(at)
+    first = triangles[np.arange(len(node)), node.argmin(1)]
+    return vertex[node[first < len(at)]]
+
+
+# Each gives the faces, by their vertices' indices, of a grid.
+DIAGONALS = {
+    "same": _same,
+    "alternate": _alternate,
+    "shortest": _shortest,
+    "random": _random,
+    "jittered": _jittered,
+}
+SEEDED = ("random", "jittered")

@@ -1,0 +1,1 @@
+"""What the workflow needs: config, readings, digests, jobs, the article."""

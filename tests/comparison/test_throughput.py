@@ -1,0 +1,63 @@
+"""The measurement of speed: its meshes, its rows and its figure; never a time."""
+
+import numpy as np
+import pandas as pd
+import pytest
+
+import curvlib
+from curvlib.catalogue import estimators
+from curvlib.comparison import throughput
+from curvlib.figures.curves import save, throughput_plot
+
+
+@pytest.mark.parametrize("kind", ["regular", "irregular"])
+def test_torus_is_closed_and_turned_outward(kind):
+    vertices, faces = throughput.torus(20, kind)
+    m = curvlib.Mesh(vertices, faces)
+    assert len(faces) == 2 * len(vertices) == 800
+    assert sum(len(batch) for batch, _ in m.rings) == len(vertices)
+    assert ({len(ring) for _, ring in m.rings} == {6}) == (kind == "regular")
+    outer = vertices[:, 0] ** 2 + vertices[:, 1] ** 2 > 6
+    r = curvlib.estimate(m, "gauss_bonnet")
+    assert np.median(r.H[outer]) == pytest.approx((1 + 1 / 3) / 2, rel=0.1)
+    assert np.median(r.K[outer]) == pytest.approx(1 / 3, rel=0.2)
+
+
+@pytest.mark.parametrize("method", throughput.methods())
+def test_every_method_fills_its_row(method, monkeypatch):
+    monkeypatch.setattr(throughput, "RUNS", 2)
+    row = throughput.measure(method, 1, *throughput.torus(10, "irregular"))
+    assert row["vertices"] == 100
+    if not row["note"]:
+        assert row["vertices_per_second"] == pytest.approx(100 / row["seconds"])
+
+
+def test_a_missing_peer_is_a_row_that_says_so(monkeypatch):
+    def missing():
+        raise ImportError("no module named peer")
+
+    monkeypatch.setitem(throughput.PEERS, "peer", missing)
+    row = throughput.measure("peer", 1, *throughput.torus(5, "regular"))
+    assert row["note"] == "not installed: no module named peer"
+    assert "seconds" not in row
+
+
+def test_rows_of_processes_of_their_own_make_a_figure(monkeypatch, tmp_path):
+    peers = dict.fromkeys(["libigl gaussian_curvature"], throughput.PEERS[throughput.REFERENCE])
+    monkeypatch.setattr(throughput, "PEERS", peers)
+    monkeypatch.setattr(throughput.estimators, "names", lambda: ["watanabe_b"])
+    table = pd.DataFrame(throughput.rows([10], kinds=["regular"]))
+    ours, theirs = table[table.method == "watanabe_b"], table[table.method.isin(peers)]
+    assert list(ours.threads) == [1, 2]
+    assert list(theirs.threads) == [1]
+    modules = {"watanabe_b": estimators.module("watanabe_b")}
+    save(throughput_plot(table, modules), tmp_path / "figure.svg")
+    assert "Watanabe B" in (tmp_path / "figure.svg").read_text()
+
+
+def test_exact_evaluation_has_its_rows():
+    table = pd.DataFrame(throughput.exact_rows("sphere", scattered=20, side=6))
+    assert list(table.arrangement) == ["scattered"] * 4 + ["grid"] * 2
+    assert list(table.points) == [20, 20, 36, 36, 36, 36]
+    assert (table.points_per_second > 0).all()
+    assert (table.ratio > 0).all()

@@ -1,0 +1,250 @@
+"""Figures: what is drawn, and the same bytes each time."""
+
+import itertools
+from types import SimpleNamespace
+
+import numpy as np
+import pandas as pd
+import pytest
+from matplotlib.colors import to_hex, to_rgb
+from matplotlib.text import Text
+
+from curvlib.figures import curves as figures
+from curvlib.figures import verdicts as claim_figures
+
+MODULES = {
+    name: SimpleNamespace(LABEL=name.title(), STYLE={"color": "black", "marker": "o"})
+    for name in ("flat", "falling", "exact", "sphere")
+}
+
+
+@pytest.fixture
+def tables():
+    n = np.array([8, 12, 16, 24, 32, 50, 256])
+    first = {"surface": "sphere", "diagonal": "same", "reading": "default", "quantity": "K"}
+    curves = {"flat": np.full(7, 0.5), "falling": n**-2.0, "exact": np.full(7, 1e-15)}
+    errors = pd.DataFrame(
+        first | {"estimator": e, "norm": "mean", "n": m, "triangles": 2 * m * m, "value": x}
+        for e, values in curves.items()
+        for m, x in zip(n, values)
+    )
+    verdicts = {"flat": "stagnates", "falling": "converges", "exact": "exact"}
+    convergence = pd.DataFrame(
+        first | {"estimator": e, "verdict": v, "rounding": 1e-9} for e, v in verdicts.items()
+    )
+    return errors, convergence
+
+
+def test_error_plot_shows_every_curve_and_what_is_exact(tables):
+    (axes,) = figures.error_plot(*tables, "sphere", "K", MODULES).axes
+    lines = {line.get_label(): line.get_ydata() for line in axes.lines}
+    assert set(lines) == {"Flat", "Falling", "Exact (exact)", "_guide"}
+    np.testing.assert_allclose(lines["Flat"], 0.5)
+    exact = lines["Exact (exact)"]
+    np.testing.assert_allclose(exact[~np.isnan(exact)], axes.get_ylim()[0])
+    assert np.isfinite(exact).sum() == 7
+    shown = [t.get_text() for t in axes.get_legend().texts]
+    assert shown == ["Exact (exact)", "Falling", "Flat"]
+    assert axes.get_xscale() == axes.get_yscale() == "log"
+    labels = [t.get_text() for t in axes.get_xticklabels()]
+    assert labels[0] == "128"
+    assert labels[-1] == "131072"
+
+
+def test_no_line_leads_to_what_is_rounding(tables):
+    errors, convergence = tables
+    errors.loc[(errors.estimator == "falling") & (errors.n > 40), "value"] = 1e-12
+    (axes,) = figures.error_plot(errors, convergence, "sphere", "K", MODULES).axes
+    (x, y), *_ = (line.get_data() for line in axes.lines if line.get_label() == "Falling")
+    np.testing.assert_allclose(y[:5], [n**-2.0 for n in (8, 12, 16, 24, 32)])
+    assert np.isnan(y[[5, 7]]).all(), "a gap before each point on the edge"
+    np.testing.assert_allclose(y[[6, 8]], axes.get_ylim()[0])
+    np.testing.assert_array_equal(x[[6, 8]], [5000, 131072])
+
+
+def test_the_guide_is_as_steep_as_second_order(tables):
+    (axes,) = figures.error_plot(*tables, "sphere", "K", MODULES).axes
+    [((x0, y0), (x1, y1))] = [g.get_xydata() for g in axes.lines if g.get_label() == "_guide"]
+    assert np.log(y1 / y0) / np.log(x1 / x0) == pytest.approx(-1), "-2 in n"
+    assert "O(h²)" in texts(axes)
+
+
+@pytest.mark.parametrize("kind", ["svg", "png"])
+def test_the_same_bytes_each_time(tables, tmp_path, kind):
+    made = []
+    for name in "ab":
+        path = tmp_path / f"{name}.{kind}"
+        figures.save(figures.error_plot(*tables, "sphere", "K", MODULES), path)
+        made.append(path.read_bytes())
+    assert made[0] == made[1]
+
+
+def texts(axes):
+    return [text.get_text() for text in axes.texts]
+
+
+def smallest(figure):
+    """Points of the smallest text."""
+    return min(t.get_fontsize() for t in figure.findobj(Text) if t.get_text() and t.get_visible())
+
+
+def contrast(colour):
+    """Of a colour against white, as WCAG 2 defines it."""
+    rgb = np.array(to_rgb(colour))
+    linear = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
+    return 1.05 / (linear @ [0.2126, 0.7152, 0.0722] + 0.05)
+
+
+READINGS = {"a=1": {"a": 1}, "a=2": {"a": 2}, "a=3": {"a": 3}}
+SURFACES = ["sphere", "cone", "cylinder"]
+
+
+def curve(limit=None, marked=None, scale=1.0):
+    """The specification curve of a claim with majorities against and for it, and with none."""
+    cases = {
+        "a=1": (["false", "false", "true"], [3.0, 4.0, 8.0]),
+        "a=2": (["true", "true", "false"], [0.4, 0.5, 0.6]),
+        "a=3": (["false", "true", "undecided"], [1.0, 2.0, 1e6]),
+    }
+    claims = pd.DataFrame(
+        {"claim": 1, "surface": s, "diagonal": d, "reading": r, "holds": h, "effect": scale * x}
+        for r, (verdicts, effects) in cases.items()
+        for s, h, x in zip(SURFACES, verdicts, effects)
+        for d in ("same", "shortest")
+    )
+    claim = SimpleNamespace(claim=1, sentence="It is O(h^2).", measure="a ratio to -1")
+    return claim_figures.specification_curve(claims, READINGS, claim, SURFACES, limit, marked)
+
+
+def test_specification_curve_has_a_point_and_its_choices_per_reading():
+    figure = curve()
+    above, below = figure.axes
+    drawn = {c.get_label(): c for c in above.collections}
+    places = {label: points.get_offsets().tolist() for label, points in drawn.items()}
+    assert places["true"] == [[0, 0.5], [1, 0.5]], "sorted by effect"
+    assert places["no majority"] == [[2, 2.0], [3, 2.0]]
+    assert places["false"] == [[4, 4.0], [5, 4.0]]
+    assert not places["undecided"]
+    bars = [bar[:, 1] for bar in drawn["quartiles of the surfaces"].get_segments()]
+    np.testing.assert_allclose(bars[0], [0.45, 0.55])
+    np.testing.assert_allclose(bars[4], [3.5, 6.0])
+    rows = [t.get_text() for t in below.get_yticklabels()]
+    assert rows == ["cut: same", "cut: shortest", "a: 1", "a: 2", "a: 3"]
+    made = [[segment[0, 0] for segment in row.get_segments()] for row in below.collections]
+    assert made[2:] == [[4, 5], [0, 1], [2, 3]]
+    assert above.get_title(loc="left") == "1. It is O(h²)."
+    assert above.get_ylabel() == "a ratio to \N{MINUS SIGN}1"
+    assert smallest(figure) >= 7
+
+
+@pytest.mark.parametrize(("scale", "axis"), [(1.0, "log"), (-1.0, "linear")])
+def test_specification_curve_says_where_the_claim_turns(scale, axis):
+    for none in (None, np.nan):
+        assert not curve(limit=none).axes[0].lines
+    above, _ = curve(limit=scale, scale=scale).axes
+    (line,) = (line for line in above.lines if line.get_label() == "_limit")
+    assert set(line.get_ydata()) == {scale}
+    assert texts(above) == ["turns at\n1" if scale > 0 else "turns at\n\N{MINUS SIGN}1"]
+    assert above.get_yscale() == axis
+
+
+def test_specification_curve_marks_what_is_shown_of_the_marked():
+    above, below = curve(marked={"a=3": "likely run", "a=9": "absent", "a=1": "default"}).axes
+    assert texts(above) == ["likely run", "default"]
+    circles = [line.get_xydata().tolist() for line in above.lines if line.get_marker() == "o"]
+    assert circles == [[[2, 2.0]], [[4, 4.0]]], "on the paper's grid"
+    assert [set(line.get_xdata()) for line in below.lines] == [{2}, {4}]
+    assert above.transData.transform((2, 5e5))[1] < above.transAxes.transform((0, 0.95))[1]
+
+
+def test_claims_map_has_a_verdict_in_every_cell():
+    cells = {"sphere": ["true", "undecided"], "exact": ["false", "true"]}
+    verdicts = pd.DataFrame(cells, index=[2, 8])
+    sentences = ["Its error falls as O(h^2).", "It is the best."]
+    summary = pd.DataFrame({"claim": [8, 2], "sentence": sentences})
+    figure = claim_figures.claims_map(verdicts, summary, MODULES)
+    (axes,) = figure.axes
+    assert texts(axes) == ["yes", "no", "?", "yes"]
+    wanted = [claim_figures.VERDICTS[v] for v in ("true", "false", "undecided", "true")]
+    assert [to_hex(cell.get_facecolor()).upper() for cell in axes.patches] == wanted
+    labels = [t.get_text() for t in axes.get_yticklabels()]
+    assert labels == ["2. It is the best.", "8. Its error falls as O(h²)."]
+    assert [t.get_text() for t in axes.get_xticklabels()] == ["Sphere", "Exact"]
+    assert smallest(figure) >= 7.5
+
+
+def test_rank_plot_is_of_the_resolution_asked_for():
+    places = {(50, "flat"): (1, 2), (50, "falling"): (1, 1), (256, "flat"): (2, 1)}
+    ranks = pd.DataFrame(
+        {"surface": s, "diagonal": "same", "reading": "default", "quantity": "K", "n": n}
+        | {"estimator": e, "rank": rank}
+        for (n, e), both in places.items()
+        for s, rank in zip(("sphere", "exact"), both)
+    )
+    (axes,) = figures.rank_plot(ranks, "K", ["sphere", "exact"], MODULES, 50).axes
+    assert axes.get_title(loc="left").endswith("n = 50")
+    marked = {line.get_label(): line for line in axes.lines if line.get_marker() == "o"}
+    assert [marked[m].get_ydata().tolist() for m in ("Flat", "Falling")] == [[1, 2], [1, 1]]
+    assert marked["Flat"].get_xdata()[0] > marked["Falling"].get_xdata()[0], "side by side"
+    between = [line.get_linewidth() for line in axes.lines if line.get_linestyle() != "None"]
+    assert len(between) == 2
+    assert max(between) < 1
+
+
+VARIANTS = [("flat", "-", "Flat"), ("falling", "normal=exact", "Falling")]
+
+
+@pytest.fixture
+def rings():
+    """Errors on rings, and their orders: a third of the valence where they fall."""
+    rows, slopes = [], []
+    for (name, variant, _), n, ring, quantity in itertools.product(
+        VARIANTS, range(3, 10), ("regular", "irregular"), "KH"
+    ):
+        order = n / 3 if name == "falling" and ring == "regular" else -0.001
+        key = {"estimator": name, "variant": variant, "valence": n, "ring": ring}
+        key |= {"quantity": quantity}
+        rows += [key | {"h": h, "value": 0.1 * h**order} for h in (0.125, 0.5, 0.25)]
+        slopes.append(key | {"slope": -order})
+    return pd.DataFrame(rows), pd.DataFrame(slopes)
+
+
+def test_rings_plot_has_the_order_at_the_end_of_every_line(rings):
+    figure = claim_figures.rings_plot(*rings, VARIANTS, "K")
+    panels = dict(zip(itertools.product(("regular", "irregular"), VARIANTS), figure.axes))
+    assert [axes.get_title(loc="left") for axes in figure.axes] == ["Flat", "Falling", "", ""]
+    for (kind, (estimator, *_)), axes in panels.items():
+        assert len(axes.lines) == 7
+        falls = kind == "regular" and estimator == "falling"
+        labels = [f"{n}: {n / 3 if falls else 0:.1f}" for n in range(3, 10)]
+        assert [line.get_label() for line in axes.lines] == labels
+        assert sorted(texts(axes)) == [*labels, "valence: p"]
+        label = {t.get_text(): t for t in axes.texts}
+        heights = sorted(label[name].xyann[1] for name in labels)
+        assert np.diff(heights).min() > 0.07, "no label on another"
+        for line in axes.lines:
+            np.testing.assert_array_equal(line.get_xdata(), [0.5, 0.25, 0.125])
+            at_end = label[line.get_label()]
+            assert (at_end.get_color() == line.get_color()).all()
+            end = axes.transData.transform(line.get_xydata()[-1])
+            np.testing.assert_allclose(axes.transAxes.transform(at_end.xy), end)
+            assert at_end.xy[0] > 0.9, "small rings are on the right"
+    assert smallest(figure) >= 7
+    assert min(contrast(line.get_color()) for line in figure.axes[0].lines) >= 3
+
+
+@pytest.mark.parametrize("quantity", "KH")
+def test_rings_plot_says_what_its_error_is(rings, quantity):
+    figure = claim_figures.rings_plot(*rings, VARIANTS, quantity)
+    error = figure.texts[-1].get_text()
+    assert error.startswith(rf"mean of $|{quantity} - {quantity}_\mathrm{{est}}|$ (1/length")
+
+
+def test_rings_plot_of_a_study_without_those_estimators(rings):
+    figure = claim_figures.rings_plot(*rings, [], "K")
+    assert [text.get_text() for text in figure.texts] == ["not in this study"]
+    variants = [VARIANTS[0], ("falling", "normal=area", "Not run")]
+    one, other, *_ = claim_figures.rings_plot(*rings, variants, "K").axes
+    assert len(texts(one)) == 8
+    assert texts(other) == ["not in this study"]
+    assert len(claim_figures.rings_plot(*rings, VARIANTS[:1], "K").axes) == 2

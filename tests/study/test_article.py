@@ -1,0 +1,272 @@
+"""The article: no number in its text is typed by hand, and none that is missing goes unnoticed."""
+
+import json
+import re
+from itertools import chain
+from pathlib import Path
+
+import pytest
+
+from curvlib.errors import InputError
+from curvlib.study.article import caption, excerpts, typeset
+
+ROOT = Path(__file__).parents[2]
+ARTICLE = ROOT / "paper/paper.typ"
+CLOSING = {"(": ")", "[": "]", "{": "}"}
+
+
+def pieces(source):
+    """(prose, mathematics, code) of Typst markup: what a reader sees as text, each `$...$`, and
+    each `#...` with all its brackets; the content blocks inside code count as markup again."""
+    prose, maths, codes, at = [], [], [], 0
+    while at < len(source):
+        if source.startswith("//", at):
+            at = source.find("\n", at) % (len(source) + 1)
+        elif source[at] == "$":
+            end = source.index("$", at + 1)
+            maths.append(source[at : end + 1])
+            at = end + 1
+        elif source[at] == "#":
+            statement = re.compile(r"#(let|for|if|show|import)\b").match(source, at)
+            end = code_end(source, at + 1, whole_line=bool(statement))
+            codes.append(source[at:end])
+            at = end
+        else:
+            prose.append(source[at])
+            at += 1
+    inner = [pieces(block) for code in codes for block in contents(code)]
+    prose, maths, codes = zip(("".join(prose), maths, codes), *inner)
+    return "\n".join(prose), [*chain(*maths)], [*chain(*codes)]
+
+
+def code_end(source, at, whole_line):
+    """Where code that begins at `at` ends: a call with its arguments, or a whole statement."""
+    while at < len(source):
+        if source[at] in CLOSING:
+            at = bracket_end(source, at)
+        elif source[at] == '"':
+            at = source.index('"', at + 1) + 1
+        elif (source[at] == "\n") if whole_line else not re.match(r"[\w.\-]", source[at]):
+            return at
+        else:
+            at += 1
+    return at
+
+
+def bracket_end(source, at):
+    close = CLOSING[source[at]]
+    at += 1
+    while source[at] != close:
+        if source[at] in CLOSING:
+            at = bracket_end(source, at)
+        elif source[at] == '"' and close != "]":
+            at = source.index('"', at + 1) + 1
+        else:
+            at += 1
+    return at + 1
+
+
+def contents(code):
+    """The content blocks [...] in code, outermost ones."""
+    at = 0
+    while (at := code.find("[", at)) >= 0:
+        end = bracket_end(code, at)
+        yield code[at + 1 : end - 1]
+        at = end
+
+
+def pasted(source):
+    """Numbers that are typed into the text, into its mathematics or into what shows a value."""
+    prose, maths, codes = pieces(source)
+    citations = r"@[\w-]+"
+    found = re.findall(r"\d[\d.,]*", re.sub(citations, "", prose))
+    small = {"0", "1", "2", "3", "4"}  # of formulas
+    found += [n for m in maths for n in re.findall(r"\d+(?:\.\d+)?", m) if n not in small]
+    shown = r"\b(?:value|fixed|percent|str)\(\s*(-?\d[\d.]*)"
+    found += [n for code in codes for n in re.findall(shown, code)]
+    strings = [s for code in codes for s in re.findall(r'"([^"]*)"', code)]
+    numbers = [s for s in strings if re.fullmatch(r"[\d.,\N{EN DASH}\s]*\d[\d.,\N{EN DASH}\s]*", s)]
+    equations = re.compile(r"3\.\d+((, |\N{EN DASH})3\.\d+)?")
+    return found + [s for s in numbers if not equations.fullmatch(s)]
+
+
+def test_no_number_is_pasted():
+    assert pasted(ARTICLE.read_text()) == []
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "The error is 0.13 on the spout.",
+        "The error is $0.13$ on the spout.",
+        "It is $1.3 dot 10^(-2)$ there.",
+        "#given(true)[The error is 0.13.]",
+        '#ruled((1fr,), ("a",), ([0.13],), [A table.])',
+        "The error is #value(0.13).",
+        'The error is #text("0.13").',
+        "#let a = 1\nIt is 5 times (or 6 times) larger.",
+    ],
+)
+def test_a_pasted_number_would_be_found(sentence):
+    text = ARTICLE.read_text()
+    assert len(pasted(text + sentence)) > len(pasted(text))
+
+
+def test_captions_are_plain_sentences_without_numbers():
+    for path in (ROOT / "workflow/report").glob("*.rst"):
+        text = caption(path)
+        assert text.endswith("."), path
+        assert not re.search(r"[*`|_\\{}]|::", text), path
+        allowed = re.sub(r"Figure [3-6]|\bin 2003\b|\b1/length", "", text)
+        assert not re.search(r"\d", allowed), path
+
+
+EXCERPTS = {
+    "errors": {"norm": ["mean"], "diagonal": ["same"]},
+    "ranks": {"diagonal": ["same"], "reading": ["default"]},
+    "claims": {"claim": ["1", "2"]},
+}
+TABLES = {
+    "tables/errors.csv": """
+surface,diagonal,n,estimator,reading,quantity,norm,value
+sphere,same,8,taubin,default,K,mean,0.5
+sphere,same,8,watanabe,default,K,mean,0.00123
+sphere,same,8,taubin,default,K,max,7""",
+    "tables/convergence.csv": """
+surface,diagonal,estimator,reading,quantity,tail,verdict,finest
+sphere,same,taubin,default,K,-1.96,converges,16
+sphere,random-1,taubin,default,K,-1.5,converges,8
+sphere,random-2,taubin,default,K,0.1,stagnates,8
+sphere,same,watanabe,default,K,,exact,16""",
+    "tables/ranks.csv": """
+surface,diagonal,n,reading,quantity,estimator,rank
+sphere,same,8,default,K,taubin,2""",
+    "tables/readings.csv": """
+reading,estimator,variant
+default,taubin,-""",
+    "tables/rings.csv": """
+valence,ring,quantity,estimator,variant,slope
+6,regular,K,taubin,-,-2.01""",
+    "tables/claims-summary.csv": """
+claim,sentence,default,likely-run
+1,Always best.,2 (+3) of 7,4 of 7
+2,Never best.,5 of 7,7 of 7""",
+    "tables/claims.csv": """
+claim,surface,diagonal,reading,holds
+1,sphere,same,default,true
+1,sphere,random-1,default,false
+1,sphere,same,other,true
+1,quadric,same,default,true
+2,sphere,same,default,undecided""",
+    "trials/noise-taubin.csv": """
+surface,variant,quantity,sigma,value
+sphere,-,K,0.01,0.25""",
+}
+
+
+@pytest.fixture
+def shown(tmp_path):
+    """A function that gives the text of a Typst expression on the small tables above."""
+    import typst
+
+    for name, table in TABLES.items():
+        path = tmp_path / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(table.lstrip("\n") + "\n")
+    (tmp_path / "results.typ").write_text((ROOT / "paper/results.typ").read_text())
+    values = {
+        "labels": {"taubin": "Taubin", "sphere": "Sphere"},
+        "surfaces": ["sphere"],
+        "estimators": ["taubin", "watanabe"],
+        "resolutions": [8],
+        "cuts": ["same", "random-1", "random-2"],
+        "captions": {},
+        "citation": str(ROOT / "CITATION.cff"),
+    }
+
+    def evaluate(expression):
+        source = tmp_path / "small.typ"
+        values["excerpts"] = excerpts(tmp_path / "tables", EXCERPTS)
+        source.write_text(f'#import "results.typ": *\n#metadata({expression}) <shown>')
+        typeset(source, tmp_path / "small.pdf", tmp_path, **values)
+        inputs = {k: json.dumps(v) for k, v in values.items()} | {"results": str(tmp_path)}
+        found = typst.query(str(source), "<shown>", field="value", root="/", sys_inputs=inputs)
+        return json.loads(found)[0]
+
+    evaluate.folder = tmp_path
+    return evaluate
+
+
+@pytest.mark.parametrize(
+    ("expression", "value"),
+    [
+        ('error("sphere", "K", "taubin")', 0.5),
+        ('value(error("sphere", "K", "taubin"))', "0.50"),
+        ('slope("sphere", "K", "taubin")', -1.96),
+        ('converges("sphere", "K", "watanabe")', True),
+        ('converging("K", "taubin")', 1),
+        ('converging("K", "taubin", kind: "random")', 0),
+        ('reach("same")', 16),
+        ("true-on(1)", ["sphere"]),
+        ("true-on(2)", []),
+        ("true-cells(1)", {"yes": 2, "all": 3}),
+        ('true-cells(1, diagonal: "random-1")', {"yes": 0, "all": 1}),
+        ('rank("sphere", "K", "taubin")', 2),
+        ('best("sphere", "K")', "watanabe"),
+        ('ring-slope("K", "taubin", 6, "regular")', -2.01),
+        ('noise("sphere", "K", "taubin", 0.01)', 0.25),
+        ("counted(1)", {"yes": 2, "open": 3, "all": 7}),
+        ("stands(1)", False),
+        ("stands(2)", True),
+        ('name-of("taubin")', "Taubin"),
+        ("value(1234.5)", "1235"),
+        ("value(99.6)", "100"),
+        ("value(0.0996)", "0.10"),
+        ("value(-3.0)", "\N{MINUS SIGN}3.0"),
+        ("value(0)", "0"),
+        ("fixed(2.0, 2)", "2.00"),
+        ("fixed(-0.001, 1)", "0.0"),
+        ("percent(1, 3)", "33 %"),
+        ("percent(1, 300)", "< 1 %"),
+        ("percent(0, 300)", "0 %"),
+        ("spelt(3)", "three"),
+    ],
+)
+def test_look_ups(shown, expression, value):
+    assert shown(expression) == value
+
+
+def test_a_power_of_ten(shown):
+    assert "1.2" in str(shown("value(0.00123)"))
+    assert "\N{MINUS SIGN}3" in str(shown("value(0.00123)")) or "-3" in str(shown("value(0.00123)"))
+
+
+@pytest.mark.parametrize(
+    ("expression", "message"),
+    [
+        ('error("cone", "K", "taubin")', "mean error cone/same/8/K/taubin/default"),
+        ('slope("sphere", "K", "watanabe")', "slope sphere/same/K/watanabe/default"),
+        ('rank("sphere", "K", "watanabe")', "rank sphere/8/K/watanabe"),
+        ("claim(3)", "claim 3"),
+        ('name-of("watanabe")', "label of watanabe"),
+        ('noise("cone", "K", "taubin", 0.01)', "noise trial of taubin on cone"),
+        ('ring-slope("H", "taubin", 6, "regular")', "slope on rings 6/regular/H/taubin/-"),
+        ("given(stands(1))[It is best.]", "do not bear out: It is best."),
+    ],
+)
+def test_what_the_tables_do_not_have_ends_the_build(shown, expression, message):
+    with pytest.raises(InputError, match=re.escape(message)) as raised:
+        shown(expression)
+    assert "\n" not in str(raised.value)
+    assert not list(shown.folder.glob("*.pdf"))
+
+
+def test_a_changed_table_changes_the_article(shown):
+    path = shown.folder / "tables/errors.csv"
+    path.write_text(path.read_text().replace("0.5", "0.7"))
+    assert shown('value(error("sphere", "K", "taubin"))') == "0.70"
+
+
+def test_a_mistake_in_the_source_is_shown_where_it_is(shown):
+    with pytest.raises(InputError, match=r"unknown variable: slop[\s\S]*small\.typ:2"):
+        shown('slop("sphere")')

@@ -1,0 +1,235 @@
+"""Snakemake itself, on a copy of the checkout and a small study."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+SMALL = """
+surfaces: [sphere, teapot_spout]
+estimators: [gauss_bonnet, paraboloid]
+resolutions: [8, 12]
+diagonals: [same]
+more: []
+vary: []
+product: []
+"""
+FIGURES = {"claim_plots", "reading_plots", "error_plots_K", "error_plots_H", "error_maps"}
+AGGREGATES = {"accuracy", "claims", *FIGURES, "all"}
+
+
+@pytest.fixture
+def study(tmp_path):
+    """A copy of what the project tracks, and a function that runs snakemake in it."""
+    for name in ("Snakefile", "config", "curvlib", "workflow", "profiles"):
+        source = ROOT / name
+        if source.is_dir():
+            shutil.copytree(source, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__"))
+        else:
+            shutil.copy(source, tmp_path / name)
+    (tmp_path / "small.yaml").write_text(SMALL)
+
+    def run(*arguments, ok=True, config="small.yaml"):
+        command = [Path(sys.executable).with_name("snakemake"), *arguments, "--configfile", config]
+        path = os.pathsep.join((str(Path(sys.executable).parent), os.environ["PATH"]))
+        done = subprocess.run(
+            command,
+            cwd=tmp_path,
+            env=os.environ | {"PATH": path},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        output = done.stdout + done.stderr
+        assert (done.returncode == 0) == ok, output
+        return output
+
+    run.folder = tmp_path
+    return run
+
+
+def rules(output):
+    """Rule name -> number of its jobs, from the table that snakemake prints first."""
+    return {rule: int(count) for rule, count in re.findall(r"^(\w+) +(\d+)$", output, re.M)}
+
+
+def contents(folder):
+    return {
+        str(p.relative_to(folder)): p.read_bytes()
+        for part in ("data/library", "results/tables", "results/figures")
+        for p in sorted((folder / part).rglob("*"))
+        if p.is_file()
+    }
+
+
+def replace(path, old, new):
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new))
+
+
+def test_reruns_what_changed_and_nothing_else(study):
+    first = rules(study("--cores", "1"))
+    assert first["library"] == first["estimate"] == 2
+    one_core = contents(study.folder)
+    assert {"results/tables/errors.csv", "data/library/sphere/sphere.same.008.txt"} <= set(one_core)
+    assert "Nothing to be done" in study()
+    study("report")
+    report = (study.folder / "results/report.html").read_text()
+    for text in ("1. Does the paper hold?", "Mean absolute error of the Gaussian curvature K"):
+        assert text in report
+    assert "results/figures/claims.svg" in report
+
+    estimator = study.folder / "curvlib/estimators/paraboloid.py"
+    replace(estimator, "return 4 * a * c - b * b, a + c", "return 4 * a * c - b * b, (a + c)  # H")
+    replace(estimator, '"""Paraboloid fitting, section 3.1."""', '"""Another docstring."""')
+    assert "Nothing to be done" in study(), "a comment is no change"
+
+    replace(estimator, "4 * a * c", "5 * a * c")
+    changed = rules(study("--cores", "2"))
+    own = {"estimate": 1, "trials": 1}
+    assert changed == {**own, **dict.fromkeys(AGGREGATES, 1), "total": 2 + len(AGGREGATES)}
+    assert (
+        contents(study.folder)["results/tables/errors.csv"] != one_core["results/tables/errors.csv"]
+    )
+
+    replace(estimator, "5 * a * c", "4 * a * c")
+    study("--cores", "2", "--forceall")
+    assert contents(study.folder) == one_core, "other bytes on two cores"
+
+    ring = study.folder / "curvlib/kit/ring.py"
+    replace(ring, "-2 * dot(at(ring.e, i, k)", "-3 * dot(at(ring.e, i, k)")
+    assert rules(study("--dry-run"))["estimate"] == 2
+    assert "library" not in rules(study("--dry-run"))
+
+
+def test_a_new_file_is_all_it_takes(study):
+    """An estimator and a surface join by lying in their folders, where the config says `all`."""
+    (study.folder / "all.yaml").write_text("resolutions: [8]\nmore: []\nproduct: []")
+    before = rules(study("--dry-run", config="all.yaml"))
+    files = study.folder / "curvlib"
+    shutil.copy(files / "estimators/watanabe_b.py", files / "estimators/mine.py")
+    shutil.copy(files / "surfaces/cylinder.py", files / "surfaces/pipe.py")
+    after = rules(study("--dry-run", config="all.yaml"))
+    assert after["estimate"] == before["estimate"] + 1
+    assert after["library"] == before["library"] + 1
+    (study.folder / "elsewhere").mkdir()
+    shutil.move(files / "estimators/mine.py", study.folder / "elsewhere/mine.py")
+    (study.folder / "small.yaml").write_text(
+        SMALL.replace("paraboloid", "elsewhere/mine.py").replace("teapot_spout", "pipe")
+    )
+    study("--cores", "2")
+    errors = (study.folder / "results/tables/errors.csv").read_text()
+    assert "pipe,same,8,128,mine,default,K,mean," in errors
+
+
+def test_a_study_without_what_the_paper_looked_at(study):
+    """None of its seven surfaces, none of its two favourites: everything is made all the same."""
+    text = SMALL.replace("[sphere, teapot_spout]", "[cone_apex]")
+    text = text.replace("[gauss_bonnet, paraboloid]", "[taubin]")
+    (study.folder / "small.yaml").write_text(text)
+    study()
+    figures = {path.stem for path in (study.folder / "results/figures").glob("*.png")}
+    assert {"figure-1", "claims", "readings-claim-9", "ranks-K", "rings-H"} <= figures
+    summary = (study.folder / "results/tables/claims-summary.csv").read_text()
+    assert "of 1" in summary
+
+
+@pytest.mark.parametrize(
+    ("config", "message"),
+    [
+        ("surfaces: [sphre]", "surfaces: unknown surface 'sphre'; did you mean 'sphere'?"),
+        ("estimators: [taubn]", "estimators: unknown estimator 'taubn'; did you mean 'taubin'?"),
+        ("estimators: []", "estimators has to be a list that is not empty"),
+        ("resolutions: [8, 2]", "resolutions: resolution 2 is not an integer of at least 3"),
+        ("resolutions: [8.5]", "resolutions: resolution 8.5 is not an integer of at least 3"),
+        ("diagonals: [shortst]", "unknown diagonal 'shortst'; did you mean 'shortest'?"),
+        ("reading: {}", "unknown key 'reading'; did you mean 'readings'?"),
+        ("diagonals: [same-1]", "a seed is a number, after random or jittered alone"),
+        ("more: [{diagonals: [same]}]", "needs exactly diagonals and resolutions"),
+        ("readings: {a: {are: half}}", "unknown option 'are'; did you mean 'area'?"),
+        (
+            "readings: {a: {area: halv}}",
+            "reading 'a': unknown area 'halv'; did you mean 'half'?",
+        ),
+        ("readings: {default: {area: half}}", "'default' has to make none"),
+        ("vary: [pears]", "vary: unknown option 'pears'; did you mean 'pairs'?"),
+        ("results: Snakefile", "'Snakefile' is not a folder"),
+        ("library: none.zip", "library: none.zip: missing"),
+    ],
+)
+def test_a_mistake_is_one_line_before_any_job(study, config, message):
+    (study.folder / "small.yaml").write_text(config)
+    output = study(ok=False)
+    (line,) = (line for line in output.splitlines() if line.startswith("error: config: "))
+    assert message in line
+    assert not (study.folder / "results").exists()
+    assert not (study.folder / "data").exists()
+
+
+def test_readme_shows_what_the_study_says(study):
+    """The whole study, cold: README's table and picture and CHANGELOG's words are its own, and so
+    is the article, the same bytes each time; without a value that it quotes there is none."""
+    names = ("README.md", "CHANGELOG.md", "paper/readme-figure.svg")
+    shutil.copytree(ROOT / "paper", study.folder / "paper")
+    shutil.copy(ROOT / "CITATION.cff", study.folder)
+    tracked = [study.folder / name for name in names]
+    for name, path in zip(names, tracked):
+        shutil.copy(ROOT / name, path)
+    before = [path.read_bytes() for path in tracked]
+    study("readme", "all", config="config/config.yaml")
+    assert [path.read_bytes() for path in tracked] == before, "run `snakemake readme` and commit"
+
+    article = study.folder / "results/paper/paper.pdf"
+    made = article.read_bytes()
+    assert made.startswith(b"%PDF")
+    article.unlink()
+    study("paper", config="config/config.yaml")
+    assert article.read_bytes() == made
+    table = study.folder / "results/tables/rings.csv"
+    rows = table.read_text().splitlines(keepends=True)
+    quoted = "6,regular,K,gauss_bonnet,"
+    table.write_text("".join(row for row in rows if not row.startswith(quoted)))
+    output = study("paper", config="config/config.yaml", ok=False)
+    assert "not in the results of this run: slope on rings 6/regular/K/gauss_bonnet" in output
+    assert not article.exists()
+
+
+def test_truncated_library_file(study):
+    study("--cores", "2", "--until", "library")
+    path = study.folder / "data/library/sphere/sphere.same.012.vtkhdf"
+    path.write_bytes(path.read_bytes()[:3000])
+    output = study("--cores", "1", "results/estimates/paraboloid.h5", ok=False)
+    assert "error: data/library/sphere/sphere.same.012.vtkhdf: cut off or not HDF5" in output
+    assert not list(study.folder.glob("results/**/*.h5*"))
+
+
+def test_archive_takes_the_place_of_the_meshes(study, monkeypatch):
+    for name in ("CITATION.cff", "LICENSE-data", "requirements.lock"):
+        shutil.copy(ROOT / name, study.folder)
+    results = study.folder / "results"
+    first = rules(study("--cores", "1", "dataset"))
+    assert first == {"library": 2, "nurbs": 1, "dataset": 1, "total": 4}
+    (archive,) = (results / "dataset").glob("*.zip")
+    made = archive.read_bytes()
+    with monkeypatch.context() as older_machine:
+        older_machine.setenv("NPY_DISABLE_CPU_FEATURES", "X86_V3 X86_V4 AVX512_ICL AVX512_SPR")
+        study("--cores", "2", "--forceall", "dataset")
+    assert archive.read_bytes() == made, "other bytes on two cores without vector instructions"
+
+    assert "library" not in rules(study("figures")), "its meshes are those of the study"
+    computed = {k: v for k, v in contents(study.folder).items() if k.startswith("results/")}
+    downloaded = shutil.move(archive, study.folder)
+    shutil.rmtree(results)
+    shutil.rmtree(study.folder / "data")
+    study("figures", "--config", f"library={downloaded}")
+    assert contents(study.folder) == computed, "or meshes were made"
+
+    (study.folder / "small.yaml").write_text(SMALL.replace("teapot_spout", "cone"))
+    output = study("figures", "--config", f"library={downloaded}", ok=False)
+    assert f"{downloaded}: unknown surface 'cone'; did you mean" in output
