@@ -8,35 +8,42 @@ its normal (the unit sphere has K = +1, H = +1); k1 >= k2; values are pointwise,
 integrated over a cell; undefined is NaN.
 """
 
-# The packages come first: imported later, they would take the place of the functions that
-# have their names.
-from curvlib.catalogue import estimators as _estimators
-from curvlib.catalogue import surfaces as _surfaces
-from curvlib.dataset.library import load_library
-from curvlib.errors import InputError
-from curvlib.estimation import Estimates, estimate
-from curvlib.meshes.mesh import Mesh
-from curvlib.nurbs.surface import Curvature, Surface
-from curvlib.nurbs.tessellation import tessellate
-from curvlib.surfaces import load as surface
+import importlib
 
+# Importing a package binds its name here. These two must be bound before the functions of the
+# same names take their places.
 from . import estimators, surfaces
+from .catalogue import estimators as _estimators
+from .catalogue import surfaces as _surfaces
 
 __version__ = "0.1.0"
 
-__all__ = [
-    "Curvature",
-    "Estimates",
-    "InputError",
-    "Mesh",
-    "Surface",
-    "estimate",
-    "estimators",
-    "load_library",
-    "surface",
-    "surfaces",
-    "tessellate",
-]
+# Public name -> where it is defined; imported at first use (PEP 562).
+_PUBLIC = {
+    "Curvature": "nurbs.surface",
+    "Estimates": "estimation",
+    "InputError": "errors",
+    "Mesh": "meshes.mesh",
+    "Surface": "nurbs.surface",
+    "estimate": "estimation",
+    "load_library": "dataset.library",
+    "surface": "surfaces._named",
+    "tessellate": "nurbs.tessellation",
+}
+
+__all__ = ["estimators", "surfaces", *_PUBLIC]
 
 estimators = _estimators.names  # noqa: F811
 surfaces = _surfaces.names  # noqa: F811
+
+
+def __getattr__(name):
+    if name not in _PUBLIC:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(importlib.import_module(f"{__name__}.{_PUBLIC[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__():
+    return sorted({*globals(), *__all__})

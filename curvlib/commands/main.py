@@ -1,13 +1,12 @@
-"""The command line: `curvlib`."""
+"""The command line: `curvlib`, a verb per file of this folder."""
 
 import argparse
+import importlib
 import sys
+from pathlib import Path
 
 from curvlib import __version__
-from curvlib.dataset.fetch import fetch
 from curvlib.errors import InputError
-
-ARCHIVE = f"results/dataset/curvature-library-{__version__}.zip"
 
 
 def main(arguments=None) -> int:
@@ -15,23 +14,13 @@ def main(arguments=None) -> int:
     parser = argparse.ArgumentParser(prog="curvlib", description="Curvature on triangle meshes.")
     parser.add_argument("--version", action="version", version=f"curvlib {__version__}")
     commands = parser.add_subparsers(required=True, metavar="command")
-    command = commands.add_parser(
-        "fetch",
-        help="get the mesh library",
-        description="Get an archive of the mesh library, check its SHA-256, unpack it.",
-    )
-    command.add_argument(
-        "source",
-        nargs="?",
-        default=ARCHIVE,
-        metavar="URL or path",
-        help="the archive, with SHA256SUMS beside it (default: %(default)s, which `snakemake "
-        "dataset` makes)",
-    )
-    command.add_argument(
-        "-o", "--output", default=".", metavar="FOLDER", help="where to unpack (default: here)"
-    )
-    command.set_defaults(run=_fetch)
+    for path in sorted(Path(__file__).parent.glob("*.py")):
+        if path.stem in ("__init__", "main"):
+            continue
+        verb = importlib.import_module(f"curvlib.commands.{path.stem}")
+        command = commands.add_parser(path.stem, help=verb.HELP, description=verb.__doc__)
+        verb.arguments(command)
+        command.set_defaults(run=verb.run)
     options = parser.parse_args(arguments)
     try:
         options.run(options)
@@ -39,8 +28,3 @@ def main(arguments=None) -> int:
         print(f"error: {error}", file=sys.stderr)
         return 1
     return 0
-
-
-def _fetch(options):
-    folder = fetch(options.source, options.output)
-    print(f"{folder}: read its README.md; in Python, curvlib.load_library({str(folder)!r})")

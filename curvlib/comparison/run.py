@@ -3,8 +3,8 @@
 import csv
 from pathlib import Path
 
-from curvlib.dataset.library import open_hdf5, whole_file
 from curvlib.estimation import Estimates, estimate
+from curvlib.files import open_hdf5, whole_file
 
 from .norms import counted_vertices, error_rows, largest_curvature
 

@@ -4,7 +4,7 @@ import hashlib
 from pathlib import Path
 from zipfile import ZipFile, ZipInfo
 
-from .library import whole_file
+from curvlib.files import whole_file
 
 SUMS = "SHA256SUMS"
 

@@ -8,9 +8,9 @@ from urllib.parse import urljoin, urlsplit
 from zipfile import BadZipFile
 
 from curvlib.errors import InputError
+from curvlib.files import open_archive
 
 from .archive import SUMS, file_hash, parse_sums
-from .library import open_archive
 
 
 def fetch(source: str, folder=".") -> Path:

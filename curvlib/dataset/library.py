@@ -4,68 +4,28 @@
 known at its vertices, from which it is loaded, `.ply` and `.txt` with K and H^2.
 """
 
-import io
 import os
 from collections.abc import Mapping
-from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
-from zipfile import BadZipFile, ZipFile
 
 from curvlib.errors import InputError, check_name
+from curvlib.files import open_archive, open_hdf5, place_of
 from curvlib.meshes.mesh import Mesh
-from curvlib.nurbs.surface import Surface
-from curvlib.nurbs.tessellation import tessellate
 
-from .formats import read_vtkhdf, write_ply, write_text, write_vtkhdf
+from .formats import read_vtkhdf
 
-CONVENTIONS = (
-    "exact at the vertices, pointwise; lengths in the unit of the mesh, K in 1/length^2, H in "
-    "1/length; H > 0 where the surface bends away from its outward normal; NaN where the "
-    "surface is not C^2"
-)
-
-WRITERS = {".vtkhdf": write_vtkhdf, ".ply": write_ply, ".txt": write_text}
+# One file of each per mesh; it is loaded from the first.
+KINDS = (".vtkhdf", ".ply", ".txt")
 
 
 def mesh_files(surface: str, diagonal: str, n: int) -> list[str]:
     """The files of a mesh, relative to the library's folder; the one it is loaded from first."""
-    return [f"{surface}/{surface}.{diagonal}.{n:03d}{kind}" for kind in WRITERS]
+    return [f"{surface}/{surface}.{diagonal}.{n:03d}{kind}" for kind in KINDS]
 
 
 def nurbs_file(surface: str) -> str:
     """The file of a surface, relative to the library's folder."""
     return f"{surface}/{surface}.json"
-
-
-def write_library(surface: Surface, meshes, folder) -> None:
-    """Tessellate a surface, for every (diagonal, n) of `meshes`, and write the files of each.
-
-    A file is there whole or not at all.
-    """
-    for diagonal, n in meshes:
-        mesh = tessellate(surface, n, diagonal)
-        about = {
-            "surface": f"{surface.label} ({surface.name})",
-            "mesh": f"{n} x {n} cells, diagonal {diagonal}, "
-            f"{len(mesh.faces)} triangles, {len(mesh.vertices)} vertices",
-            "values": CONVENTIONS,
-            "source": f"curvlib, from the NURBS surface in {nurbs_file(surface.name)}",
-        }
-        for file, write in zip(mesh_files(surface.name, diagonal, n), WRITERS.values()):
-            path = Path(folder, file)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            with whole_file(path) as part:
-                write(part, mesh, about)
-
-
-def write_nurbs(surface: Surface, folder) -> None:
-    """Write the surface itself, for `geomdl.exchange.import_json`."""
-    from geomdl.exchange import export_json
-
-    path = Path(folder, nurbs_file(surface.name))
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with whole_file(path) as part:
-        export_json(surface.model, str(part))
 
 
 def load_library(*paths) -> "Library":
@@ -106,7 +66,7 @@ class Library(Mapping):
             try:
                 return read_vtkhdf(file)
             except (KeyError, OSError) as error:
-                where = _place(path, member)
+                where = place_of(path, member)
                 raise InputError(f"{where}: not a mesh of a library ({error})") from None
 
     def mesh(self, surface: str, n: int, diagonal: str = "same") -> Mesh:
@@ -148,50 +108,3 @@ def _meshes(path):
         surface, *key = name.stem.rsplit(".", 2)
         if name.suffix == ".vtkhdf" and len(key) == 2 and key[1].isdecimal():
             yield (surface, key[0], int(key[1])), tuple(place)
-
-
-def _place(path, member):
-    return path if member is None else f"{path}: {member}"
-
-
-@contextmanager
-def whole_file(path):
-    """A path to write to that becomes `path` at the end, or is removed on an error."""
-    path = Path(path)
-    part = path.with_name(path.name + ".part")
-    try:
-        yield part
-        os.replace(part, path)
-    finally:
-        part.unlink(missing_ok=True)
-
-
-@contextmanager
-def open_archive(path):
-    """A zip file open for reading; InputError, naming it, where it is cut off or no zip file."""
-    try:
-        archive = ZipFile(path)
-    except (BadZipFile, OSError) as error:
-        reason = "missing" if isinstance(error, FileNotFoundError) else "cut off or no zip file"
-        raise InputError(f"{path}: {reason}; get it again") from None
-    with archive:
-        yield archive
-
-
-@contextmanager
-def open_hdf5(path, member=None):
-    """A file, or a member of an archive, open for reading; InputError, naming it, where it is
-    cut off or no HDF5."""
-    import h5py
-
-    try:
-        if member is None:
-            file = h5py.File(path, "r")
-        else:
-            with open_archive(path) as archive:
-                file = h5py.File(io.BytesIO(archive.read(member)), "r")
-    except (BadZipFile, OSError) as error:
-        reason = "missing" if isinstance(error, FileNotFoundError) else "cut off or not HDF5"
-        raise InputError(f"{_place(path, member)}: {reason}; get or make it again") from None
-    with file:
-        yield file

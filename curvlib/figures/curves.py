@@ -1,39 +1,10 @@
-"""Every picture, from tables and library files only; the same bytes each time."""
+"""Errors and ranks of the estimators against resolution and surface."""
 
-import itertools
-from pathlib import Path
-
-import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
-# SVG names its elements from this salt instead of at random.
-matplotlib.rcParams.update(
-    {
-        "svg.hashsalt": "curvlib",
-        "font.size": 9,
-        "axes.spines.top": False,
-        "axes.spines.right": False,
-        "legend.frameon": False,
-    }
-)
-
-DPI = 200
-UNITS = {"K": "1/length²", "H": "1/length"}
-# What no method can be faster than, by the names in the table of throughput.
-LIMITS = {
-    "arctan2": {"color": "0.5", "linestyle": "--"},
-    "copy": {"color": "0.5", "linestyle": ":"},
-}
-SYMBOLS = {"K": "K", "H": "|H|"}
-NAMES = {"K": "Gaussian curvature K", "H": "mean curvature H"}
-
-
-def save(figure: Figure, path) -> None:
-    """Write a figure in the format that the path's suffix names."""
-    kind = Path(path).suffix[1:]
-    figure.savefig(path, dpi=DPI, metadata={"Date": None} if kind == "svg" else None)
+from .style import NAMES, SYMBOLS, UNITS
 
 
 def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Figure:
@@ -69,33 +40,6 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
     axes.set_title(f"{modules[surface].LABEL}, {NAMES[quantity]}", loc="left")
     axes.grid(True, which="major", color="0.9", linewidth=0.6)
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    return figure
-
-
-def throughput_plot(table, modules) -> Figure:
-    """Vertices per second against vertices, one thread, log-log; a panel per kind of mesh.
-
-    `modules`: those of the estimators, by name, for label and style; other methods are black.
-    Grey: what the arctangents or one copy of the mesh alone would allow.
-    """
-    kinds = list(dict.fromkeys(table.mesh))
-    others = [m for m in dict.fromkeys(table.method) if m not in modules and m not in LIMITS]
-    markers = dict(zip(others, itertools.cycle("x+*dPh")))
-    styles = {m: {"color": "black", "linewidth": 0.8, "marker": markers[m]} for m in others}
-    styles |= {name: module.STYLE | {"markersize": 4} for name, module in modules.items()} | LIMITS
-    labels = {name: module.LABEL for name, module in modules.items()}
-    figure = Figure(figsize=(4.2 * len(kinds) + 2.4, 4.4), layout="constrained")
-    panels = figure.subplots(1, len(kinds), sharey=True, squeeze=False)[0]
-    for axes, kind in zip(panels, kinds):
-        shown = table[(table.mesh == kind) & (table.threads == 1) & table.seconds.notna()]
-        for method, curve in shown.groupby("method", sort=False):
-            label = labels.get(method, method)
-            axes.loglog(curve.vertices, curve.vertices_per_second, label=label, **styles[method])
-        axes.set_title(f"{kind} torus", loc="left")
-        axes.set_xlabel("vertices")
-        axes.grid(True, which="major", color="0.9", linewidth=0.6)
-    panels[0].set_ylabel("vertices per second, one thread")
-    panels[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     return figure
 
 

@@ -14,7 +14,7 @@ from matplotlib.patches import Patch, Rectangle
 
 from curvlib.comparison.norms import ROUNDING, largest_curvature
 
-from .curves import DPI, NAMES, UNITS
+from .style import DPI, NAMES, UNITS
 from .views import View, edges, iso_lines
 
 PAGE = 1400  # pixels

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from curvlib.catalogue import estimators, surfaces
 from curvlib.comparison.norms import VERTICES
-from curvlib.dataset.library import open_archive
 from curvlib.errors import InputError, check_name
 from curvlib.estimation import readings as estimator_options
+from curvlib.files import open_archive
 from curvlib.nurbs.tessellation import check_cut, check_resolution
 
 

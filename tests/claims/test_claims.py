@@ -6,7 +6,7 @@ import pytest
 import reference
 
 import curvlib
-from curvlib.claims import evidence
+from curvlib.claims import evidence, summary
 from curvlib.claims.sentences import CLAIMS, NINE, Cell, kendall, ranks
 from curvlib.comparison import accuracy
 from curvlib.comparison.norms import error_rows
@@ -247,7 +247,7 @@ def test_summary_counts_and_finds_what_turns_a_claim_over():
                         "evidence": "",
                     }
                 )
-    table = evidence.summary(
+    table = summary.summary(
         pd.DataFrame(rows), ["default", "likely-run"], ["loose"], ["same", "alternate", "random-1"]
     )
     # A claim about all cuts together is no truer on a surface than in the worst of them.
@@ -255,16 +255,16 @@ def test_summary_counts_and_finds_what_turns_a_claim_over():
     assert about_all["default"] == "3 (+1) of 7"
     assert (about_all.cells, about_all.most) == (21, 7)
     assert about_all.turned_over_by == "loose" or about_all.turned_over_by == ""
-    verdicts = evidence.verdicts(pd.DataFrame(rows), "same")
+    verdicts = summary.verdicts(pd.DataFrame(rows), "same")
     assert (verdicts == "true").sum(axis=1).to_dict() == dict.fromkeys(range(1, 10), 5) | {8: 3}
     row = table.iloc[0]
     assert row["default"] == "5 (+1) of 7"
     assert row["likely-run"] == "7 of 7"
     assert row.turned_over_by == "loose, diagonal=random-1"
     assert row.undecided_on == "teapot_spout"
-    text = evidence.answer(table)
+    text = summary.answer(table)
     assert text.count("\n") == 2 + 9
     assert "5 (+1) of 7" in text
-    words = evidence.in_words(table)
+    words = summary.in_words(table)
     assert words.count("\n") == 9
     assert "true on 5 (+1) of 7 surfaces in the default reading, and in 21 of all 35" in words

@@ -7,12 +7,15 @@ import pytest
 import curvlib
 from curvlib.catalogue import estimators
 from curvlib.comparison import throughput
-from curvlib.figures.curves import save, throughput_plot
+from curvlib.comparison.exact_throughput import exact_rows
+from curvlib.figures.style import save
+from curvlib.figures.throughput import throughput_plot
+from curvlib.meshes.torus import torus
 
 
 @pytest.mark.parametrize("kind", ["regular", "irregular"])
 def test_torus_is_closed_and_turned_outward(kind):
-    vertices, faces = throughput.torus(20, kind)
+    vertices, faces = torus(20, kind)
     m = curvlib.Mesh(vertices, faces)
     assert len(faces) == 2 * len(vertices) == 800
     assert sum(len(batch) for batch, _ in m.rings) == len(vertices)
@@ -26,7 +29,7 @@ def test_torus_is_closed_and_turned_outward(kind):
 @pytest.mark.parametrize("method", throughput.methods())
 def test_every_method_fills_its_row(method, monkeypatch):
     monkeypatch.setattr(throughput, "RUNS", 2)
-    row = throughput.measure(method, 1, *throughput.torus(10, "irregular"))
+    row = throughput.measure(method, 1, *torus(10, "irregular"))
     assert row["vertices"] == 100
     if not row["note"]:
         assert row["vertices_per_second"] == pytest.approx(100 / row["seconds"])
@@ -37,7 +40,7 @@ def test_a_missing_peer_is_a_row_that_says_so(monkeypatch):
         raise ImportError("no module named peer")
 
     monkeypatch.setitem(throughput.PEERS, "peer", missing)
-    row = throughput.measure("peer", 1, *throughput.torus(5, "regular"))
+    row = throughput.measure("peer", 1, *torus(5, "regular"))
     assert row["note"] == "not installed: no module named peer"
     assert "seconds" not in row
 
@@ -56,7 +59,7 @@ def test_rows_of_processes_of_their_own_make_a_figure(monkeypatch, tmp_path):
 
 
 def test_exact_evaluation_has_its_rows():
-    table = pd.DataFrame(throughput.exact_rows("sphere", scattered=20, side=6))
+    table = pd.DataFrame(exact_rows("sphere", scattered=20, side=6))
     assert list(table.arrangement) == ["scattered"] * 4 + ["grid"] * 2
     assert list(table.points) == [20, 20, 36, 36, 36, 36]
     assert (table.points_per_second > 0).all()

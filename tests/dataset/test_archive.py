@@ -16,7 +16,8 @@ import yaml
 import curvlib
 from curvlib.dataset.archive import parse_sums, write_archive
 from curvlib.dataset.description import describe
-from curvlib.dataset.library import mesh_files, nurbs_file, write_library, write_nurbs
+from curvlib.dataset.library import mesh_files, nurbs_file
+from curvlib.dataset.write import write_library, write_nurbs
 
 ROOT = Path(__file__).parents[2]
 SURFACES = ["cone_apex", "sphere"]

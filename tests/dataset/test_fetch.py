@@ -12,7 +12,8 @@ import curvlib
 from curvlib.commands.main import main
 from curvlib.dataset.archive import file_hash, sums_text, write_archive
 from curvlib.dataset.fetch import fetch
-from curvlib.dataset.library import mesh_files, write_library
+from curvlib.dataset.library import mesh_files
+from curvlib.dataset.write import write_library
 
 NAME = "curvature-library-1.2.3"
 MEMBER = f"{NAME}/sphere/sphere.same.008.vtkhdf"

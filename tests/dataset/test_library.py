@@ -12,14 +12,9 @@ import trimesh
 from geomdl.exchange import import_json
 
 import curvlib
-from curvlib.dataset.library import (
-    WRITERS,
-    mesh_files,
-    nurbs_file,
-    whole_file,
-    write_library,
-    write_nurbs,
-)
+from curvlib.dataset.library import mesh_files, nurbs_file
+from curvlib.dataset.write import WRITERS, write_library, write_nurbs
+from curvlib.files import whole_file
 from curvlib.meshes.mesh import FIELDS
 
 MESHES = [("jittered-1", 8), ("same", 8), ("same", 12)]
@@ -157,7 +152,7 @@ def test_listing_opens_no_mesh(folder, monkeypatch):
 def test_diagonal_with_a_number(tmp_path, monkeypatch):
     """The name of a diagonal is what stands between surface and resolution."""
     monkeypatch.setattr(
-        "curvlib.dataset.library.tessellate",
+        "curvlib.dataset.write.tessellate",
         lambda s, n, diagonal: curvlib.tessellate(s, n, "random"),
     )
     write_library(curvlib.surface("cone_apex"), [("random-1", 8)], tmp_path)

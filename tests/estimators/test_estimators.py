@@ -11,11 +11,11 @@ import reference
 import curvlib
 from curvlib.catalogue import estimators as catalogue
 from curvlib.claims.sentences import NINE as PAPER
-from curvlib.comparison.throughput import torus
 from curvlib.estimation import readings
 from curvlib.kit.ring import alpha, one_ring, total_angle
 from curvlib.kit.vectors import angle
 from curvlib.meshes import corners
+from curvlib.meshes.torus import torus
 from curvlib.parallel import for_each
 
 ESTIMATORS = curvlib.estimators()

@@ -9,8 +9,11 @@ import pytest
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.text import Text
 
-from curvlib.figures import curves as figures
-from curvlib.figures import verdicts as claim_figures
+from curvlib.figures import verdicts as verdicts_module
+from curvlib.figures.curves import error_plot, rank_plot
+from curvlib.figures.readings import specification_curve
+from curvlib.figures.rings import rings_plot
+from curvlib.figures.style import save
 
 MODULES = {
     name: SimpleNamespace(LABEL=name.title(), STYLE={"color": "black", "marker": "o"})
@@ -36,7 +39,7 @@ def tables():
 
 
 def test_error_plot_shows_every_curve_and_what_is_exact(tables):
-    (axes,) = figures.error_plot(*tables, "sphere", "K", MODULES).axes
+    (axes,) = error_plot(*tables, "sphere", "K", MODULES).axes
     lines = {line.get_label(): line.get_ydata() for line in axes.lines}
     assert set(lines) == {"Flat", "Falling", "Exact (exact)", "_guide"}
     np.testing.assert_allclose(lines["Flat"], 0.5)
@@ -54,7 +57,7 @@ def test_error_plot_shows_every_curve_and_what_is_exact(tables):
 def test_no_line_leads_to_what_is_rounding(tables):
     errors, convergence = tables
     errors.loc[(errors.estimator == "falling") & (errors.n > 40), "value"] = 1e-12
-    (axes,) = figures.error_plot(errors, convergence, "sphere", "K", MODULES).axes
+    (axes,) = error_plot(errors, convergence, "sphere", "K", MODULES).axes
     (x, y), *_ = (line.get_data() for line in axes.lines if line.get_label() == "Falling")
     np.testing.assert_allclose(y[:5], [n**-2.0 for n in (8, 12, 16, 24, 32)])
     assert np.isnan(y[[5, 7]]).all(), "a gap before each point on the edge"
@@ -63,7 +66,7 @@ def test_no_line_leads_to_what_is_rounding(tables):
 
 
 def test_the_guide_is_as_steep_as_second_order(tables):
-    (axes,) = figures.error_plot(*tables, "sphere", "K", MODULES).axes
+    (axes,) = error_plot(*tables, "sphere", "K", MODULES).axes
     [((x0, y0), (x1, y1))] = [g.get_xydata() for g in axes.lines if g.get_label() == "_guide"]
     assert np.log(y1 / y0) / np.log(x1 / x0) == pytest.approx(-1), "-2 in n"
     assert "O(h²)" in texts(axes)
@@ -74,7 +77,7 @@ def test_the_same_bytes_each_time(tables, tmp_path, kind):
     made = []
     for name in "ab":
         path = tmp_path / f"{name}.{kind}"
-        figures.save(figures.error_plot(*tables, "sphere", "K", MODULES), path)
+        save(error_plot(*tables, "sphere", "K", MODULES), path)
         made.append(path.read_bytes())
     assert made[0] == made[1]
 
@@ -113,7 +116,7 @@ def curve(limit=None, marked=None, scale=1.0):
         for d in ("same", "shortest")
     )
     claim = SimpleNamespace(claim=1, sentence="It is O(h^2).", measure="a ratio to -1")
-    return claim_figures.specification_curve(claims, READINGS, claim, SURFACES, limit, marked)
+    return specification_curve(claims, READINGS, claim, SURFACES, limit, marked)
 
 
 def test_specification_curve_has_a_point_and_its_choices_per_reading():
@@ -162,10 +165,10 @@ def test_claims_map_has_a_verdict_in_every_cell():
     verdicts = pd.DataFrame(cells, index=[2, 8])
     sentences = ["Its error falls as O(h^2).", "It is the best."]
     summary = pd.DataFrame({"claim": [8, 2], "sentence": sentences})
-    figure = claim_figures.claims_map(verdicts, summary, MODULES)
+    figure = verdicts_module.claims_map(verdicts, summary, MODULES)
     (axes,) = figure.axes
     assert texts(axes) == ["yes", "no", "?", "yes"]
-    wanted = [claim_figures.VERDICTS[v] for v in ("true", "false", "undecided", "true")]
+    wanted = [verdicts_module.VERDICTS[v] for v in ("true", "false", "undecided", "true")]
     assert [to_hex(cell.get_facecolor()).upper() for cell in axes.patches] == wanted
     labels = [t.get_text() for t in axes.get_yticklabels()]
     assert labels == ["2. It is the best.", "8. Its error falls as O(h²)."]
@@ -181,7 +184,7 @@ def test_rank_plot_is_of_the_resolution_asked_for():
         for (n, e), both in places.items()
         for s, rank in zip(("sphere", "exact"), both)
     )
-    (axes,) = figures.rank_plot(ranks, "K", ["sphere", "exact"], MODULES, 50).axes
+    (axes,) = rank_plot(ranks, "K", ["sphere", "exact"], MODULES, 50).axes
     assert axes.get_title(loc="left").endswith("n = 50")
     marked = {line.get_label(): line for line in axes.lines if line.get_marker() == "o"}
     assert [marked[m].get_ydata().tolist() for m in ("Flat", "Falling")] == [[1, 2], [1, 1]]
@@ -210,7 +213,7 @@ def rings():
 
 
 def test_rings_plot_has_the_order_at_the_end_of_every_line(rings):
-    figure = claim_figures.rings_plot(*rings, VARIANTS, "K")
+    figure = rings_plot(*rings, VARIANTS, "K")
     panels = dict(zip(itertools.product(("regular", "irregular"), VARIANTS), figure.axes))
     assert [axes.get_title(loc="left") for axes in figure.axes] == ["Flat", "Falling", "", ""]
     for (kind, (estimator, *_)), axes in panels.items():
@@ -235,16 +238,16 @@ def test_rings_plot_has_the_order_at_the_end_of_every_line(rings):
 
 @pytest.mark.parametrize("quantity", "KH")
 def test_rings_plot_says_what_its_error_is(rings, quantity):
-    figure = claim_figures.rings_plot(*rings, VARIANTS, quantity)
+    figure = rings_plot(*rings, VARIANTS, quantity)
     error = figure.texts[-1].get_text()
     assert error.startswith(rf"mean of $|{quantity} - {quantity}_\mathrm{{est}}|$ (1/length")
 
 
 def test_rings_plot_of_a_study_without_those_estimators(rings):
-    figure = claim_figures.rings_plot(*rings, [], "K")
+    figure = rings_plot(*rings, [], "K")
     assert [text.get_text() for text in figure.texts] == ["not in this study"]
     variants = [VARIANTS[0], ("falling", "normal=area", "Not run")]
-    one, other, *_ = claim_figures.rings_plot(*rings, variants, "K").axes
+    one, other, *_ = rings_plot(*rings, variants, "K").axes
     assert len(texts(one)) == 8
     assert texts(other) == ["not in this study"]
-    assert len(claim_figures.rings_plot(*rings, VARIANTS[:1], "K").axes) == 2
+    assert len(rings_plot(*rings, VARIANTS[:1], "K").axes) == 2

@@ -7,8 +7,8 @@ import pytest
 
 import curvlib
 from curvlib.estimation import Estimates
-from curvlib.figures import curves as figures
 from curvlib.figures import pictures, render, views
+from curvlib.figures.style import save
 
 RENDERERS = ["vtk", "matplotlib"]
 MODULES = {
@@ -135,7 +135,7 @@ def test_the_same_bytes_each_time(draw, tmp_path):
     meshes = {("sphere", "same", 16): mesh("sphere"), ("cone", "same", 16): mesh("cone")}
     made = []
     for name in "ab":
-        figures.save(pictures.curvature_map(meshes, "H", MODULES, draw), tmp_path / f"{name}.png")
+        save(pictures.curvature_map(meshes, "H", MODULES, draw), tmp_path / f"{name}.png")
         made.append((tmp_path / f"{name}.png").read_bytes())
     assert made[0] == made[1]
 

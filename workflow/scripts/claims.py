@@ -5,6 +5,7 @@ from pathlib import Path
 import pandas as pd
 
 from curvlib.claims import evidence
+from curvlib.claims.summary import answer, in_words, summary
 from curvlib.comparison import accuracy
 from curvlib.study.job import logged
 
@@ -18,7 +19,7 @@ with logged(snakemake.log[0]):
     readings = pd.DataFrame(params.readings).groupby("reading", sort=False)
     claims = pd.DataFrame(row for _, reading in readings for row in found.decide(reading))
     claims.to_csv(output.claims, index=False)
-    summary = evidence.summary(claims, params.named, params.singles, params.diagonals)
-    summary.to_csv(output.summary, index=False)
-    Path(output.answer).write_text(evidence.answer(summary))
-    Path(output.words).write_text(evidence.in_words(summary))
+    table = summary(claims, params.named, params.singles, params.diagonals)
+    table.to_csv(output.summary, index=False)
+    Path(output.answer).write_text(answer(table))
+    Path(output.words).write_text(in_words(table))

@@ -4,8 +4,8 @@ from curvlib.catalogue import estimators, surfaces
 from curvlib.comparison.run import read_values
 from curvlib.dataset.library import load_library
 from curvlib.figures import pictures
-from curvlib.figures.curves import save
 from curvlib.figures.render import renderer
+from curvlib.figures.style import save
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):

@@ -3,7 +3,8 @@
 import pandas as pd
 
 from curvlib.catalogue import estimators, surfaces
-from curvlib.figures.curves import error_plot, save
+from curvlib.figures.curves import error_plot
+from curvlib.figures.style import save
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):

@@ -3,7 +3,7 @@
 from curvlib.comparison.run import run_estimator
 from curvlib.dataset.library import load_library
 from curvlib.study.job import logged
-from curvlib.surfaces import load
+from curvlib.surfaces._named import surface as load
 
 with logged(snakemake.log[0]):
     params = snakemake.params

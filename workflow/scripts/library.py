@@ -1,8 +1,8 @@
 """Tessellate one surface in all ways and write its part of the library."""
 
-from curvlib.dataset.library import write_library
+from curvlib.dataset.write import write_library
 from curvlib.study.job import logged
-from curvlib.surfaces import load
+from curvlib.surfaces._named import surface as load
 
 with logged(snakemake.log[0]):
     params = snakemake.params

@@ -1,8 +1,8 @@
 """Write the NURBS surfaces of the library."""
 
-from curvlib.dataset.library import write_nurbs
+from curvlib.dataset.write import write_nurbs
 from curvlib.study.job import logged
-from curvlib.surfaces import load
+from curvlib.surfaces._named import surface as load
 
 with logged(snakemake.log[0]):
     for surface in snakemake.params.surfaces:

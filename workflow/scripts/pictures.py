@@ -3,8 +3,8 @@
 from curvlib.catalogue import surfaces
 from curvlib.dataset.library import load_library
 from curvlib.figures import pictures
-from curvlib.figures.curves import save
 from curvlib.figures.render import renderer
+from curvlib.figures.style import save
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):

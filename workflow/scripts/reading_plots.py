@@ -3,8 +3,8 @@
 import pandas as pd
 
 from curvlib.claims.sentences import chosen
-from curvlib.figures.curves import save
-from curvlib.figures.verdicts import specification_curve
+from curvlib.figures.readings import specification_curve
+from curvlib.figures.style import save
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):

@@ -3,8 +3,10 @@
 import pandas as pd
 
 from curvlib.catalogue import estimators
-from curvlib.comparison.throughput import exact_rows, rows
-from curvlib.figures.curves import save, throughput_plot
+from curvlib.comparison.exact_throughput import exact_rows
+from curvlib.comparison.throughput import rows
+from curvlib.figures.style import save
+from curvlib.figures.throughput import throughput_plot
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):

@@ -1,0 +1,50 @@
+"""Writing the library: every mesh in every format, and the surface it was cut from."""
+
+from pathlib import Path
+
+from curvlib.files import whole_file
+from curvlib.nurbs.surface import Surface
+from curvlib.nurbs.tessellation import tessellate
+
+from .formats import write_ply, write_text, write_vtkhdf
+from .library import KINDS, mesh_files, nurbs_file
+
+CONVENTIONS = (
+    "exact at the vertices, pointwise; lengths in the unit of the mesh, K in 1/length^2, H in "
+    "1/length; H > 0 where the surface bends away from its outward normal; NaN where the "
+    "surface is not C^2"
+)
+
+
+WRITERS = dict(zip(KINDS, (write_vtkhdf, write_ply, write_text), strict=True))
+
+
+def write_library(surface: Surface, meshes, folder) -> None:
+    """Tessellate a surface, for every (diagonal, n) of `meshes`, and write the files of each.
+
+    A file is there whole or not at all.
+    """
+    for diagonal, n in meshes:
+        mesh = tessellate(surface, n, diagonal)
+        about = {
+            "surface": f"{surface.label} ({surface.name})",
+            "mesh": f"{n} x {n} cells, diagonal {diagonal}, "
+            f"{len(mesh.faces)} triangles, {len(mesh.vertices)} vertices",
+            "values": CONVENTIONS,
+            "source": f"curvlib, from the NURBS surface in {nurbs_file(surface.name)}",
+        }
+        for file, write in zip(mesh_files(surface.name, diagonal, n), WRITERS.values()):
+            path = Path(folder, file)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            with whole_file(path) as part:
+                write(part, mesh, about)
+
+
+def write_nurbs(surface: Surface, folder) -> None:
+    """Write the surface itself, for `geomdl.exchange.import_json`."""
+    from geomdl.exchange import export_json
+
+    path = Path(folder, nurbs_file(surface.name))
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with whole_file(path) as part:
+        export_json(surface.model, str(part))

@@ -1,0 +1,38 @@
+"""Vertices per second of the estimators and their peers."""
+
+import itertools
+
+from matplotlib.figure import Figure
+
+# What no method can be faster than, by the names in the table of throughput.
+LIMITS = {
+    "arctan2": {"color": "0.5", "linestyle": "--"},
+    "copy": {"color": "0.5", "linestyle": ":"},
+}
+
+
+def throughput_plot(table, modules) -> Figure:
+    """Vertices per second against vertices, one thread, log-log; a panel per kind of mesh.
+
+    `modules`: those of the estimators, by name, for label and style; other methods are black.
+    Grey: what the arctangents or one copy of the mesh alone would allow.
+    """
+    kinds = list(dict.fromkeys(table.mesh))
+    others = [m for m in dict.fromkeys(table.method) if m not in modules and m not in LIMITS]
+    markers = dict(zip(others, itertools.cycle("x+*dPh")))
+    styles = {m: {"color": "black", "linewidth": 0.8, "marker": markers[m]} for m in others}
+    styles |= {name: module.STYLE | {"markersize": 4} for name, module in modules.items()} | LIMITS
+    labels = {name: module.LABEL for name, module in modules.items()}
+    figure = Figure(figsize=(4.2 * len(kinds) + 2.4, 4.4), layout="constrained")
+    panels = figure.subplots(1, len(kinds), sharey=True, squeeze=False)[0]
+    for axes, kind in zip(panels, kinds):
+        shown = table[(table.mesh == kind) & (table.threads == 1) & table.seconds.notna()]
+        for method, curve in shown.groupby("method", sort=False):
+            label = labels.get(method, method)
+            axes.loglog(curve.vertices, curve.vertices_per_second, label=label, **styles[method])
+        axes.set_title(f"{kind} torus", loc="left")
+        axes.set_xlabel("vertices")
+        axes.grid(True, which="major", color="0.9", linewidth=0.6)
+    panels[0].set_ylabel("vertices per second, one thread")
+    panels[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
