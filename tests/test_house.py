@@ -15,69 +15,54 @@ from curvlib.study.digest import digest
 
 PACKAGE = Path(curvlib.__file__).parent
 
-# Each module and what of curvlib it may import; estimators and surfaces as folders.
-IMPORTS = {
+# Each room and the others that it imports: exactly these, so that a door nothing uses goes.
+DOORS = {
+    "__init__": {"catalogue", "estimators", "surfaces"},
     "errors": set(),
-    "compiled": set(),
-    "vectors": {"compiled"},
-    "fit": {"compiled"},
-    "catalogue": {"errors"},
-    "patches": set(),
-    "exact": {"compiled", "vectors"},
-    "nurbs": {"errors", "exact", "fit", "patches"},
-    "surfaces": {"surfaces", "catalogue", "nurbs"},
-    "ring": {"compiled", "errors", "vectors"},
     "parallel": set(),
-    "corners": {"compiled", "errors", "parallel"},
-    "mesh": {"corners", "errors"},
-    "tessellation": {"errors", "mesh", "nurbs"},
-    "estimators": {"compiled", "estimators", "fit", "ring", "vectors"},
-    "estimation": {"catalogue", "errors", "mesh", "parallel", "ring"},
-    "meshfile": {"mesh"},
-    "library": {"errors", "mesh", "meshfile", "nurbs", "tessellation"},
-    "dataset": {"library"},
-    "description": {"dataset", "library"},
-    "fetch": {"dataset", "errors", "library"},
-    "cli": {"__version__", "errors", "fetch"},
-    "norms": {"mesh", "nurbs"},
-    "results": {"estimation", "library", "norms"},
-    "trials": {"catalogue", "estimation", "mesh", "ring"},
-    "study": {"catalogue", "errors", "estimation", "library", "norms", "tessellation"},
-    "throughput": {"catalogue", "estimation", "surfaces"},
-    "provenance": set(),
-    "job": {"errors"},
-    "accuracy": {"norms"},
-    "claims": set(),
-    "evidence": {"accuracy", "claims", "norms"},
-    "figures": set(),
-    "claim_figures": {"figures"},
-    "article": {"errors"},
-    "render": {"errors"},
-    "views": {"render"},
-    "pictures": {"figures", "norms", "views"},
+    "files": {"errors"},
+    "catalogue": {"errors"},
+    "kit": {"errors"},
+    "estimators": {"kit"},
+    "meshes": {"errors", "kit", "parallel"},
+    "nurbs": {"errors", "kit", "meshes"},
+    "surfaces": {"catalogue", "nurbs"},
+    "estimation": {"catalogue", "errors", "kit", "meshes", "parallel"},
+    "dataset": {"errors", "files", "meshes", "nurbs"},
+    "comparison": {"catalogue", "estimation", "files", "kit", "meshes", "nurbs", "surfaces"},
+    "claims": {"comparison"},
+    "figures": {"comparison", "errors"},
+    "study": {"catalogue", "comparison", "errors", "estimation", "files", "nurbs"},
+    "commands": {"dataset", "errors", "__version__"},
 }
 
 
 def imported(path):
-    """Modules (or folders) of curvlib that a file imports."""
-    for node in ast.walk(ast.parse(path.read_text())):
+    """The rooms of curvlib that a file imports from, its own left out."""
+    parts = path.relative_to(PACKAGE).with_suffix("").parts
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):
-            base = path.parents[node.level - 1] if node.level else Path("/")
-            full = [*base.relative_to(PACKAGE.parent).parts] if node.level else []
+            full = ["curvlib", *parts[: len(parts) - node.level]] if node.level else []
             full += (node.module or "").split(".") if node.module else []
             if full[:1] == ["curvlib"]:
-                yield from [full[1]] if full[1:] else [alias.name for alias in node.names]
+                rooms = [full[1]] if full[1:] else [alias.name for alias in node.names]
+                yield from (room for room in rooms if room != parts[0])
 
 
-def test_imports_point_one_way():
+def test_doors_between_rooms():
     found = {}
     for path in PACKAGE.rglob("*.py"):
         room = path.relative_to(PACKAGE).with_suffix("").parts[0]
-        if room != "__init__":
-            found.setdefault(room, set()).update(imported(path))
-    assert set(found) == set(IMPORTS)
-    for room, uses in found.items():
-        assert uses <= IMPORTS[room], room
+        found.setdefault(room, set()).update(imported(path))
+    assert found == DOORS
+
+
+def test_two_levels_and_rooms_that_open_with_one_docstring():
+    for path in PACKAGE.rglob("*.py"):
+        assert len(path.relative_to(PACKAGE).parts) <= 2, path
+        if path.name == "__init__.py" and path.parent != PACKAGE:
+            (docstring,) = ast.parse(path.read_text(encoding="utf-8")).body
+            assert isinstance(docstring.value, ast.Constant), path
 
 
 def test_an_import_brings_nothing_heavy():

@@ -15,7 +15,7 @@ VTKHDF_VERSION = (2, 0)
 def write_vtkhdf(path, mesh: Mesh, about: dict) -> None:
     """HDF5 in the VTKHDF layout, PolyData: what VTK, ParaView and pyvista open as it is.
 
-    Point data are the mesh's exact values and H2 = H^2, `smooth` and `boundary` as 0 or 1.
+    Point data are the mesh's exact values and H2 = H^2, `smooth`, `pole` and `boundary` as 0 or 1.
     `about`: attributes of the file's root.
     """
     import h5py
@@ -45,7 +45,7 @@ def read_vtkhdf(file) -> Mesh:
     """The mesh in an open h5py file of `write_vtkhdf`; KeyError where a part is missing."""
     root = file["VTKHDF"]
     fields = {name: root["PointData"][name][()] for name in FIELDS}
-    fields["smooth"] = fields["smooth"].astype(bool)
+    fields |= {name: fields[name].astype(bool) for name in ("smooth", "pole")}
     faces = root["Polygons/Connectivity"][()].reshape(-1, 3)
     return Mesh(root["Points"][()], faces, **fields)
 

@@ -17,6 +17,7 @@ FIELDS = {
     "d1": (3,),
     "d2": (3,),
     "smooth": (),
+    "pole": (),
 }
 
 
@@ -25,7 +26,8 @@ class Mesh:
 
     `vertices` (V, 3) float64, `faces` (F, 3) int, counter-clockwise seen from outside.
     Optional, else None: `uv` (V, 2), `normals` (V, 3) unit, `K`, `H`, `k1`, `k2` (V,) exact
-    and pointwise, their directions `d1`, `d2` (V, 3) unit, `smooth` (V,) bool.
+    and pointwise, their directions `d1`, `d2` (V, 3) unit, `smooth` and `pole` (V,) bool:
+    the surface is C^2 there, a line of its parameters shrinks to that point.
 
     Raises InputError where an array has the wrong shape, a coordinate is not finite or a face
     refers to no vertex.

@@ -52,24 +52,30 @@ def tessellate(surface: Surface, n: int, diagonal: str = "same", seed: int = 0) 
     collapsed = (faces == np.roll(faces, 1, axis=1)).any(1)
     exact = surface.curvature(*grid.uv.T)._asdict()
     normals = exact.pop("normal")
-    return Mesh(grid.vertices, faces[~collapsed], uv=grid.uv, normals=normals, **exact)
+    return Mesh(
+        grid.vertices, faces[~collapsed], uv=grid.uv, normals=normals, pole=grid.pole, **exact
+    )
 
 
 class _Grid:
     """The points of the uniform grid: `index` (n + 1, n + 1) is the vertex at each, one for a
-    seam's two and a pole's all; `at` (2, V) are the vertices' places in cells."""
+    seam's two and a pole's all; `at` (2, V) are the vertices' places in cells, `pole` (V,) whether
+    they are poles."""
 
     def __init__(self, surface, n):
         self.surface, self.n = surface, n
         steps = np.arange(n + 1)
         index = steps[:, None] * (n + 1) + steps
+        poles = []
         for axis, line in enumerate((index, index.T)):
             if surface.closed[axis]:
                 line[-1] = line[0]
             for end in (0, -1):
                 if surface.has_pole(axis, end):
                     line[end] = line[end].min()
+                    poles.append(line[end, 0])
         kept, index = np.unique(index, return_inverse=True)
+        self.pole = np.isin(kept, poles)
         self.index = index.reshape(n + 1, n + 1)
         self.at = np.array([kept // (n + 1), kept % (n + 1)])
 

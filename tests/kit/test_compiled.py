@@ -29,7 +29,8 @@ def estimate(ring):
 RUN = """
 import sys, curvlib
 mesh = curvlib.tessellate(curvlib.surface("sphere"), 4)
-function = curvlib.estimation.estimators.module(sys.argv[1]).estimate
+from curvlib.catalogue import estimators
+function = estimators.module(sys.argv[1]).estimate
 print(curvlib.__file__, curvlib.estimate(mesh, sys.argv[1]).K.sum())
 stats = getattr(function, "stats", None)
 print(sum(stats.cache_hits.values()) if stats else "none")
@@ -73,7 +74,7 @@ def test_a_change_in_what_it_calls_is_noticed(run, tmp_path):
     path = tmp_path / "mine.py"
     path.write_text(STRANGER)
     value, _ = run(path, copy)
-    ring = copy / "ring.py"
+    ring = copy / "kit/ring.py"
     source = ring.read_text()
     ring.write_text(source.replace("out[k] += x[i, k]", "out[k] += 2 * x[i, k]"))
     assert ring.read_text() != source
