@@ -24,6 +24,7 @@ _PUBLIC = {
     "Estimates": "estimation",
     "InputError": "errors",
     "Mesh": "meshes.mesh",
+    "MeshWarning": "errors",
     "Surface": "nurbs.surface",
     "estimate": "estimation",
     "load_library": "dataset.library",

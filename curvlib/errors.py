@@ -7,12 +7,16 @@ class InputError(ValueError):
     """Bad input: the message names what is wrong, where, and what would be right."""
 
 
+class MeshWarning(UserWarning):
+    """A mesh without values at many of its vertices: the message counts them and says why."""
+
+
 def check_name(what: str, name: str, valid, where: str = "") -> None:
     """Raise InputError unless `name` is in `valid`; name the nearest valid one."""
     valid = list(valid)
     if name in valid:
         return
-    near = get_close_matches(str(name), valid, n=1, cutoff=0.0)
+    near = get_close_matches(name, valid, n=1, cutoff=0.0) if isinstance(name, str) else ()
     hint = f"did you mean {near[0]!r}? " if near else ""
     place = f"{where}: " if where else ""
-    raise InputError(f"{place}unknown {what} {name!r}; {hint}valid: {', '.join(valid)}")
+    raise InputError(f"{place}unknown {what} {name!r}; {hint}valid: {', '.join(map(str, valid))}")

@@ -2,93 +2,205 @@
 
 import functools
 import inspect
-from collections import namedtuple
+import threading
+import warnings
+from functools import cached_property
 from numbers import Integral
 from typing import get_args
 
 import numpy as np
 
-from curvlib.catalogue import estimators
-from curvlib.errors import InputError, check_name
-from curvlib.meshes.mesh import as_mesh
-from curvlib.parallel import for_each
-
-Estimates = namedtuple("Estimates", "K H")
-Estimates.__doc__ = """Pointwise estimates K and H, (V,) float64 each; NaN where undefined."""
+from .catalogue import estimators
+from .errors import InputError, MeshWarning, check_name
+from .meshes.exchange import as_mesh
+from .parallel import for_each
 
 # Ring slots (valence times vertices) per block: some dozens of arrays of 192 KiB.
 BLOCK = 24576
-# Having seen a block of this size freed, glibc's malloc takes no more of such a size from the
-# system and gives none back: every temporary array would otherwise be new pages, to be zeroed.
-np.empty(31 << 20, dtype=np.uint8)
+
+# What an estimator can be given: the name of its first parameter.
+GIVEN = ("ring", "mesh")
+# Parameters of `estimate` itself, which no option can be called.
+RESERVED = ("mesh", "estimator", "threads")
 
 
-def readings(estimator: str) -> dict[str, tuple]:
+class Estimates:
+    """Pointwise curvature at the vertices of a mesh; NaN where undefined.
+
+    Attributes
+    ----------
+    K, H : ndarray of float64, (V,)
+        Gaussian and mean curvature, in 1/length^2 and 1/length; H > 0 where the surface bends
+        away from its normal.
+    k1, k2 : ndarray of float64, (V,)
+        Principal curvatures, k1 >= k2. Of an estimator of K and H alone they are
+        H +- sqrt(H^2 - K), NaN where H^2 < K.
+    d1, d2 : ndarray of float64, (V, 3), or None
+        Their unit directions, where the estimator gives them.
+    """
+
+    def __init__(self, mesh, found: dict):
+        """`found`: the arrays by name that the estimator returned."""
+        self._mesh, self._found = mesh, found
+        undefined = np.full(len(mesh.vertices), np.nan)
+        self.K, self.H = found.get("K", undefined), found.get("H", undefined)
+        self.d1, self.d2 = found.get("d1"), found.get("d2")
+
+    @property
+    def k1(self) -> np.ndarray:
+        """The larger principal curvature, (V,)."""
+        return self._principal[0]
+
+    @property
+    def k2(self) -> np.ndarray:
+        """The smaller principal curvature, (V,)."""
+        return self._principal[1]
+
+    @property
+    def shape_index(self) -> np.ndarray:
+        """2/pi atan2(k1 + k2, k1 - k2), (V,), in [-1, 1]: +1 on a sphere, 0 on a symmetric
+        saddle; NaN where k1 = k2 = 0."""
+        k1, k2 = self._principal
+        with np.errstate(invalid="ignore"):
+            index = 2 / np.pi * np.arctan2(k1 + k2, k1 - k2)
+        return np.where((k1 == 0) & (k2 == 0), np.nan, index)
+
+    @property
+    def curvedness(self) -> np.ndarray:
+        """sqrt((k1^2 + k2^2) / 2), (V,), in 1/length."""
+        return np.hypot(*self._principal) / np.sqrt(2)
+
+    @cached_property
+    def undefined(self) -> dict[str, int]:
+        """How many vertices lack a value that the estimator gives elsewhere, by cause."""
+        lacking = np.zeros(len(self._mesh.vertices), dtype=bool)
+        for values in self._found.values():
+            lacking |= np.isnan(values.reshape(len(lacking), -1)).any(1)
+        return {cause: int(n) for cause, n in _causes(self._mesh, lacking).items() if n}
+
+    @cached_property
+    def _principal(self):
+        if "k1" in self._found:
+            return self._found["k1"], self._found["k2"]
+        from .kit.tensor import principal_values
+
+        return principal_values(self.K, self.H)
+
+    def __iter__(self):
+        """K and H, so that `K, H = estimate(...)` works."""
+        return iter((self.K, self.H))
+
+    def __repr__(self):
+        names = ", ".join(self._found) or "nothing"
+        return f"<Estimates of {names} at {len(self.K)} vertices>"
+
+
+def readings(estimator) -> dict[str, tuple]:
     """The options of an estimator: name -> valid values, the default first.
 
     InputError where one of its parameters is no option with a default.
     """
-    return dict(_options(estimators.module(estimator).estimate, estimator))
+    return dict(_options(*_resolved(estimator)))
+
+
+def _resolved(estimator):
+    """Name and function of an estimator: a name, a path, or the function itself."""
+    if callable(estimator):
+        return getattr(estimator, "__name__", "estimate"), estimator
+    return estimator, estimators.module(estimator).estimate
 
 
 @functools.cache
-def _options(function, estimator):
+def _options(name, function):
+    given, *others = inspect.signature(function).parameters.values()
+    check_name("first parameter", given.name, GIVEN, f"estimator {name!r}")
     options = {}
-    for p in list(inspect.signature(function).parameters.values())[1:]:
+    for p in others:
         if p.kind != p.POSITIONAL_OR_KEYWORD or p.default is p.empty:
-            raise InputError(f"estimator {estimator!r}: option {p.name!r} has no default")
+            raise InputError(f"estimator {name!r}: option {p.name!r} has no default")
+        if p.name in RESERVED:
+            raise InputError(f"estimator {name!r}: no option can be called {p.name!r}; rename it")
         values = get_args(p.annotation)
         options[p.name] = (p.default, *(v for v in values if v != p.default))
     return options
 
 
-def check_options(estimator: str, options: dict, where: str = "") -> None:
+def check_options(estimator, options: dict, where: str = "") -> None:
     """Raise InputError unless the estimator knows every option and its value."""
-    known = readings(estimator) if options else {}
+    name, function = _resolved(estimator)
+    known = _options(name, function)
     for option, value in options.items():
-        check_name(f"option of {estimator}", option, known, where)
-        check_name(f"{option} of {estimator}", value, known[option], where)
+        check_name(f"option of {name}", option, known, where)
+        check_name(f"{option} of {name}", value, known[option], where)
 
 
 def estimate(mesh, estimator, threads: int = 1, **options):
-    """K and H at the vertices of a triangle mesh, pointwise; H = +1 on the unit sphere.
+    """Estimate curvature at the vertices of a triangle mesh.
 
-    `mesh`: a Mesh, a pair (vertices (V, 3), faces (F, 3)) or whatever pyvista wraps into a
-    triangle mesh. `estimator`: a name from `estimators()` or the path of a file like those; for
-    a list of them a dict of Estimates by name, and what they share is computed once. `options`:
-    the readings, known to each of the estimators. `threads`: how many, which changes no value.
+    Parameters
+    ----------
+    mesh : Mesh, (vertices, faces), or a mesh of another library
+        Arrays (V, 3) and (F, 3), or what pyvista wraps into a triangle mesh. Point normals that
+        it carries serve readings with exact normals.
+    estimator : str, path, callable, or a list of them
+        A name from `curvlib.estimators()`, a .py file like those, or a function like theirs. What
+        the members of a list share is computed once.
+    threads : int
+        How many; no value depends on it.
+    **options
+        The readings, known to each of the estimators.
 
-    NaN at boundary vertices, where the triangles around a vertex do not close to one ring
-    (non-manifold or inconsistently oriented), and wherever an estimator comes to no finite
-    value; an estimator of one quantity leaves the other NaN.
+    Returns
+    -------
+    Estimates, or dict
+        Pointwise, H = +1 on the unit sphere. For a list a dict of Estimates by its members. NaN at
+        boundary vertices, where the triangles around a vertex do not close to one ring
+        (non-manifold or inconsistently oriented), and wherever an estimator comes to no finite
+        value: `Estimates.undefined` counts them by cause.
 
-    Raises InputError for an unknown estimator or option, for what is no triangle mesh and for
-    an estimator that does not return K and H.
+    Raises
+    ------
+    InputError
+        Unknown estimator or option, no triangle mesh, or an estimator that returns something else
+        than curvatures.
+
+    Warns
+    -----
+    MeshWarning
+        No value at more than half of the vertices, or points that stand where another one does.
+
+    Examples
+    --------
+    >>> import curvlib
+    >>> tetrahedron = (
+    ...     [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]],
+    ...     [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
+    ... )
+    >>> curvlib.estimate(tetrahedron, "gauss_bonnet").K.round(4)
+    array([0.9069, 0.9069, 0.9069, 0.9069])
     """
-    from curvlib.kit.ring import around, spread
+    from .kit.ring import around
 
+    _keep_pages()
     mesh = as_mesh(mesh)
     if not isinstance(threads, Integral) or threads < 1:
         raise InputError(f"threads: {threads!r} is not a number of at least 1")
     several = isinstance(estimator, (list, tuple))
-    results, of_mesh, of_ring = {}, [], []
-    for name in estimator if several else [estimator]:
-        check_options(name, options)
-        results[name] = Estimates(*np.full((2, len(mesh.vertices)), np.nan))
-        function = estimators.module(name).estimate
+    found, of_mesh, of_ring = {}, [], []
+    for each in estimator if several else [estimator]:
+        check_options(each, options)
+        name, function = _resolved(each)
         # All of them, since each set of given ones would be compiled anew.
-        chosen = {option: values[0] for option, values in readings(name).items()} | options
-        task = (name, function, chosen)
+        chosen = {option: values[0] for option, values in readings(each).items()} | options
+        found[each] = _Found(name, len(mesh.vertices))
+        task = (found[each], function, chosen)
         (of_mesh if takes_mesh(function) else of_ring).append(task)
 
     def store(given, at, start, end, tasks):
         # Set here, since threads do not take it over from their caller.
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            for name, function, chosen in tasks:
-                found = function(given, **chosen)
-                for target, values in zip(results[name], _checked(found, end - start, name)):
-                    if values is not None:
-                        spread(values, at, start, target)
+            for target, function, chosen in tasks:
+                target.scatter(function(given, **chosen), at, start, end)
 
     def work(block):
         (at, neighbours), start, end = block
@@ -99,23 +211,63 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         every = np.arange(len(mesh.vertices), dtype=np.int32)
         store(mesh, every, 0, len(every), of_mesh)
     if of_ring:
-        known = mesh.normals if mesh.normals is not None else np.empty((0, 3))
-        normals = np.ascontiguousarray(known, dtype=float)
-        for_each(work, list(_blocks(mesh.find_rings(threads))), threads)
+        normals = mesh.normals
+        if normals is None:
+            normals = np.empty((0, 3))
+            normals.flags.writeable = False  # one type of array, compiled once
+        rings = mesh.find_rings(threads)
+        for_each(work, list(_blocks(rings)), threads)
+        _warn(mesh, sum(len(vertices) for vertices, _ in rings))
+    results = {each: Estimates(mesh, target.arrays) for each, target in found.items()}
     return results if several else results[estimator]
 
 
-def _checked(found, count, name):
-    """K and H that an estimator returned, arrays (count,) or None; else InputError."""
-    if not isinstance(found, tuple) or len(found) != 2:
-        raise InputError(f"estimator {name!r} has to return K and H, not {type(found).__name__}")
-    checked = [x if x is None else np.asarray(x, dtype=float, order="C") for x in found]
-    for x in checked:
-        if x is not None and x.shape != (count,):
+class _Found:
+    """What an estimator returned, scattered to the vertices: arrays by name."""
+
+    def __init__(self, name, count):
+        self.name, self.count, self.arrays, self._lock = name, count, {}, threading.Lock()
+
+    def scatter(self, returned, at, start, end):
+        """Write what was returned for the vertices at[start:end]."""
+        from .kit.ring import spread
+
+        for name, values in self._checked(returned, end - start).items():
+            target = self._target(name, values.ndim)
+            for component, column in zip(np.atleast_2d(values), np.atleast_2d(target.T)):
+                spread(component, at, start, column)
+
+    def _target(self, name, dimensions):
+        with self._lock:  # the first block of any thread makes it
+            if name not in self.arrays:
+                shape = (self.count, 3) if dimensions == 2 else self.count
+                self.arrays[name] = np.full(shape, np.nan)
+        return self.arrays[name]
+
+    def _checked(self, returned, count):
+        """Arrays (count,) or (3, count) by name; InputError where they are something else."""
+        from .kit.tensor import Curvatures
+
+        names = getattr(returned, "_fields", ("K", "H"))
+        known = isinstance(returned, tuple) and names in (("K", "H"), Curvatures._fields)
+        if not known or len(returned) != len(names):
             raise InputError(
-                f"estimator {name!r} returned an array of shape {x.shape}, expected {(count,)}"
+                f"estimator {self.name!r} has to return K and H, not {type(returned).__name__}; "
+                "or curvlib.kit.tensor.Curvatures"
             )
-    return checked
+        arrays = {
+            name: np.asarray(values, dtype=float, order="C")
+            for name, values in zip(names, returned)
+            if values is not None
+        }
+        for name, values in arrays.items():
+            expected = (3, count) if name in ("d1", "d2") else (count,)
+            if values.shape != expected:
+                raise InputError(
+                    f"estimator {self.name!r} returned an array of shape {values.shape} as {name}, "
+                    f"expected {expected}"
+                )
+        return arrays
 
 
 def takes_mesh(function) -> bool:
@@ -130,3 +282,43 @@ def _blocks(rings):
         step = max(1, BLOCK // len(neighbours))
         for start in range(0, len(vertices), step):
             yield batch, start, min(start + step, len(vertices))
+
+
+@functools.cache
+def _keep_pages():
+    """Freeing one 31 MiB block raises glibc's mmap threshold. Temporary arrays then come from the
+    heap instead of fresh pages that the kernel has to zero."""
+    np.empty(31 << 20, dtype=np.uint8)
+
+
+def _causes(mesh, lacking):
+    """Cause -> number of the vertices `lacking` (V,) bool a value."""
+    used = np.zeros(len(lacking), dtype=bool)
+    used[mesh.faces] = True
+    open_ = used & ~mesh.closed
+    return {
+        "no triangle": (lacking & ~used).sum(),
+        "boundary": (lacking & open_ & mesh.boundary).sum(),
+        "triangles that do not close to one ring": (lacking & open_ & ~mesh.boundary).sum(),
+        "no finite value": (lacking & mesh.closed).sum(),
+    }
+
+
+def _warn(mesh, closed):
+    """Warn where `closed`, the number of vertices with a closed ring, leaves much undefined."""
+    count = len(mesh.vertices)
+    if closed == count:
+        return
+    rest = mesh.vertices[~mesh.closed]
+    twice = len(rest) - len(np.unique(rest, axis=0))
+    if 2 * closed >= count and not twice:
+        return
+    causes = _causes(mesh, ~mesh.closed)
+    message = f"{count - closed} of {count} vertices have no value: "
+    message += ", ".join(f"{n} {cause}" for cause, n in causes.items() if n)
+    if twice:
+        message += (
+            f"; {twice} stand where another one does: join them, e.g. by pyvista's "
+            ".clean(lines_to_points=False, polys_to_lines=False, strips_to_polys=False)"
+        )
+    warnings.warn(message, MeshWarning, stacklevel=3)

@@ -2,11 +2,13 @@
 
 import csv
 from pathlib import Path
+from types import SimpleNamespace
 
-from curvlib.estimation import Estimates, estimate
+from curvlib.estimation import estimate
 from curvlib.files import open_hdf5, whole_file
 
 from .norms import counted_vertices, error_rows, largest_curvature
+from .quantities import QUANTITIES
 
 
 def run_estimator(
@@ -34,7 +36,8 @@ def run_estimator(
             for variant, options in chosen.items():
                 result = estimate(mesh, estimator, **options)
                 if variant == default and is_full:
-                    for quantity, values in result._asdict().items():
+                    for quantity in QUANTITIES:
+                        values = getattr(result, quantity)
                         file[f"{surface}/{diagonal}/{n}/{quantity}"] = values
                 for choice, counted in choices.items():
                     labels = {"estimator": stem, "variant": variant, "counted": choice}
@@ -58,12 +61,12 @@ def write_rows(path, rows) -> None:
 
 
 def read_values(path, only=None) -> dict:
-    """(surface, diagonal, n) -> Estimates in the default reading, of `run_estimator`; `only` of
-    these keys, else of all that are there."""
+    """(surface, diagonal, n) -> estimates by quantity in the default reading, of `run_estimator`;
+    `only` of these keys, else of all that are there."""
     with open_hdf5(path) as file:
         keys = only or [(s, d, int(n)) for s in file for d in file[s] for n in file[s][d]]
         groups = {key: file["/".join(map(str, key))] for key in keys}
         return {
-            key: Estimates(*(group[quantity][()] for quantity in Estimates._fields))
+            key: SimpleNamespace(**{quantity: group[quantity][()] for quantity in QUANTITIES})
             for key, group in groups.items()
         }

@@ -19,34 +19,60 @@ FIELDS = {
     "smooth": (),
     "pole": (),
 }
+FLAGS = ("smooth", "pole")
+
+# Rings are stored as 32-bit indices.
+MOST_VERTICES = 1 << 31
+
+# Normals that are of length 1 to this are left as they are.
+UNIT = 1e-12
 
 
 class Mesh:
     """A triangle mesh, with exact values at its vertices where it was made from a surface.
 
-    `vertices` (V, 3) float64, `faces` (F, 3) int, counter-clockwise seen from outside.
-    Optional, else None: `uv` (V, 2), `normals` (V, 3) unit, `K`, `H`, `k1`, `k2` (V,) exact
-    and pointwise, their directions `d1`, `d2` (V, 3) unit, `smooth` and `pole` (V,) bool:
-    the surface is C^2 there, a line of its parameters shrinks to that point.
+    Parameters
+    ----------
+    vertices : array_like of float, (V, 3)
+        Coordinates, in the unit of the mesh.
+    faces : array_like of int, (F, 3)
+        Vertex indices, counter-clockwise seen from outside.
+    copy : bool
+        False keeps the caller's arrays, which must not change as long as the mesh is in use.
+    **fields : array_like, optional
+        `uv` (V, 2); `normals` (V, 3), pointing outward, brought to unit length; exact values,
+        pointwise: `K`, `H`, `k1`, `k2` (V,), the principal directions `d1`, `d2` (V, 3) unit;
+        `smooth` (V,) bool, the surface is C^2 there; `pole` (V,) bool, a parameter line collapses
+        there. None where not given.
 
-    Raises InputError where an array has the wrong shape, a coordinate is not finite or a face
-    refers to no vertex.
+    Raises
+    ------
+    InputError
+        An array has the wrong shape or type, a coordinate is not finite, or a face refers to no
+        vertex.
+
+    Examples
+    --------
+    >>> from curvlib import Mesh
+    >>> Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).boundary
+    array([ True,  True,  True])
     """
 
-    def __init__(self, vertices, faces, **fields):
-        self._vertices = np.ascontiguousarray(vertices, dtype=float)
-        faces = np.asarray(faces)
-        if faces.size and not np.issubdtype(faces.dtype, np.integer):
-            raise InputError(f"faces: indices have to be integers, not {faces.dtype}")
-        self._faces = np.ascontiguousarray(faces, dtype=np.intp)
-        _check_rows("vertices", self.vertices, 3)
-        _check_rows("faces", self.faces, 3)
+    def __init__(self, vertices, faces, copy: bool = True, **fields):
+        self._vertices = _frozen(_numbers("vertices", vertices, float, copy))
+        self._faces = _frozen(_numbers("faces", faces, np.intp, copy))
+        self._rings = None
+        for name, array in (("vertices", self.vertices), ("faces", self.faces)):
+            if array.ndim != 2 or array.shape[1] != 3:
+                raise InputError(f"{name}: shape {array.shape}, expected (rows, 3)")
         count = len(self.vertices)
-        bad = ~np.isfinite(self.vertices)
-        if bad.any():
-            raise InputError(
-                f"vertices: vertex {np.argmax(bad) // 3} has a coordinate that is not finite"
-            )
+        if max(count, 3 * len(self.faces)) >= MOST_VERTICES:
+            raise InputError(f"mesh: more than {MOST_VERTICES} vertices or corners of faces")
+        # Not a sum, which may overflow where all is finite.
+        finite = np.isfinite(self.vertices)
+        if not finite.all():
+            row = int(np.argmin(finite)) // 3
+            raise InputError(f"vertices: vertex {row} has a coordinate that is not finite")
         indices = self.faces.view(np.uintp)  # a negative one is large without its sign
         if indices.size and indices.max() >= count:
             row = int(np.argmax(indices >= count)) // 3
@@ -55,23 +81,18 @@ class Mesh:
                 f"but vertex indices run from 0 to {count - 1}"
             )
         for name, rest in FIELDS.items():
-            value = fields.pop(name, None)
-            if value is not None:
-                value = np.asarray(value)
-                if value.shape != (count, *rest):
-                    raise InputError(f"{name}: shape {value.shape}, expected {(count, *rest)}")
-            setattr(self, name, value)
+            setattr(self, name, _field(name, fields.pop(name, None), (count, *rest), copy))
         if fields:
             raise TypeError(f"Mesh has no field {next(iter(fields))!r}")
 
     @property
-    def vertices(self):
-        """(V, 3) float64; a mesh with others is another: see `moved`."""
+    def vertices(self) -> np.ndarray:
+        """(V, 3) float64, read only; a mesh with others is another: see `moved`."""
         return self._vertices
 
     @property
-    def faces(self):
-        """(F, 3) int, counter-clockwise seen from outside."""
+    def faces(self) -> np.ndarray:
+        """(F, 3) int, read only, counter-clockwise seen from outside."""
         return self._faces
 
     def __repr__(self):
@@ -81,27 +102,32 @@ class Mesh:
         """The mesh with its vertices elsewhere: faces, rings and normals stay, exact values do
         not hold any more."""
         mesh = Mesh(vertices, self.faces, normals=self.normals)
-        mesh.__dict__["rings"] = self.rings
+        mesh._rings = self.rings
         return mesh
 
     @property
-    def H2(self):
+    def H2(self) -> np.ndarray | None:
         """H^2, (V,), which the paper's library holds; None without H."""
         return None if self.H is None else self.H * self.H
 
     @cached_property
-    def boundary(self):
-        """(V,) bool: the vertex lies on an edge of one face only."""
-        start, end = self.faces.ravel(), np.roll(self.faces, -1, axis=1).ravel()
+    def boundary(self) -> np.ndarray:
+        """(V,) bool: the vertex lies on an edge of one face only.
+
+        A face that names a vertex twice covers nothing and counts as none.
+        """
+        a, b, c = self.faces.T
+        faces = self.faces[(a != b) & (b != c) & (c != a)]
+        start, end = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
         edge = np.minimum(start, end) * len(self.vertices) + np.maximum(start, end)
-        _, at, faces = np.unique(edge, return_index=True, return_counts=True)
+        _, at, uses = np.unique(edge, return_index=True, return_counts=True)
         on_boundary = np.zeros(len(self.vertices), dtype=bool)
         for ends in (start, end):
-            on_boundary[ends[at[faces == 1]]] = True
+            on_boundary[ends[at[uses == 1]]] = True
         return on_boundary
 
-    @cached_property
-    def rings(self):
+    @property
+    def rings(self) -> list:
         """Closed one-rings in batches of equal valence n: list of (vertices (m,), neighbours
         (n, m)), int32; a valence may have several batches.
 
@@ -110,45 +136,60 @@ class Mesh:
         """
         return self.find_rings()
 
-    def find_rings(self, threads: int = 1):
+    def find_rings(self, threads: int = 1) -> list:
         """`rings`, found by several threads if they are not known yet."""
-        if "rings" in self.__dict__:
-            return self.rings
-        from .corners import one_rings
+        if self._rings is None:
+            from .corners import one_rings
 
-        self.__dict__["rings"] = one_rings(self.faces, len(self.vertices), threads)
-        return self.rings
+            self._rings = one_rings(self.faces, len(self.vertices), threads)
+        return self._rings
+
+    @cached_property
+    def closed(self) -> np.ndarray:
+        """(V,) bool: the triangles around the vertex close to exactly one ring."""
+        closed = np.zeros(len(self.vertices), dtype=bool)
+        for vertices, _ in self.rings:
+            closed[vertices] = True
+        return closed
 
 
-def as_mesh(obj) -> Mesh:
-    """`obj` if it is a Mesh, else one from (vertices, faces) or from what pyvista can wrap.
+def _frozen(array):
+    """A read-only view: the caller's own array stays writeable."""
+    view = array.view()
+    view.flags.writeable = False
+    return view
 
-    Raises InputError where that is no triangle mesh.
-    """
-    if isinstance(obj, Mesh):
-        return obj
-    if isinstance(obj, (tuple, list)):
-        if len(obj) != 2:
-            raise InputError(f"a mesh is a pair (vertices, faces), not {len(obj)} things")
-        return Mesh(*obj)
+
+def _numbers(name, value, kind, copy):
+    """A C-contiguous array of float or int; InputError where there is none of it."""
     try:
-        import pyvista
-    except ImportError:
-        raise InputError(
-            f"a mesh is a curvlib.Mesh or a pair (vertices, faces); for {type(obj).__name__} "
-            "install pyvista"
-        ) from None
-    try:
-        data = pyvista.wrap(obj)
-    except (NotImplementedError, TypeError, ValueError) as error:
-        raise InputError(f"pyvista cannot wrap {type(obj).__name__}: {error}") from None
-    if not isinstance(data, pyvista.PolyData) or not data.is_all_triangles:
-        raise InputError(
-            f"{type(data).__name__} is no triangle mesh; pass its .extract_surface().triangulate()"
-        )
-    return Mesh(np.asarray(data.points), data.regular_faces)
+        array = np.asarray(value)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name}: not an array of numbers ({error})") from None
+    allowed = "iuf" if kind is float else "iu"
+    if array.size and array.dtype.kind not in allowed:
+        words = "numbers" if kind is float else "integers"
+        raise InputError(f"{name}: an array of {words} is expected, not {array.dtype}")
+    return np.array(array, dtype=kind, order="C", copy=True if copy else None)
 
 
-def _check_rows(name, array, width):
-    if array.ndim != 2 or array.shape[1] != width:
-        raise InputError(f"{name}: shape {array.shape}, expected (rows, {width})")
+def _field(name, value, shape, copy):
+    """A field of a mesh, checked and read only; None stays None."""
+    if value is None:
+        return None
+    if name in FLAGS:
+        array = np.asarray(value)
+        if array.dtype != bool:
+            raise InputError(f"{name}: an array of bool is expected, not {array.dtype}")
+    else:
+        array = _numbers(name, value, float, copy)
+    if array.shape != shape:
+        raise InputError(f"{name}: shape {array.shape}, expected {shape}")
+    if name == "normals":
+        squares = (array * array).sum(1)
+        other = np.abs(squares - 1) > UNIT
+        if other.any():
+            with np.errstate(invalid="ignore", divide="ignore"):
+                scaled = array / np.sqrt(squares)[:, None]
+            array = np.where(other[:, None], scaled, array)
+    return _frozen(array)

@@ -1,0 +1,116 @@
+"""A mesh from what other libraries hold, with their points in their order."""
+
+import warnings
+from os import PathLike
+
+import numpy as np
+
+from curvlib.errors import InputError, MeshWarning
+
+from .mesh import Mesh
+
+# Cell types of VTK that cover nothing, and its triangle.
+NO_AREA, TRIANGLE = {0, 1, 2, 3, 4}, 5
+# Bits of the cell data vtkGhostType: there twice, or hidden.
+GHOST = 1 | 32
+# A float32 coordinate that is coarser than this part of an edge makes curvature a matter of chance.
+COARSE = 0.01
+
+
+def as_mesh(obj) -> Mesh:
+    """`obj` if it is a Mesh, else one from (vertices, faces) or from another library's object.
+
+    A mesh of trimesh or meshio, a PolyData or UnstructuredGrid, or what pyvista wraps into one.
+    Triangles keep their points, in their order; lines and points beside them are left out, and
+    so are ghost cells. Point normals are taken along. A new Mesh shares the arrays.
+
+    Raises InputError where that is no triangle mesh; the message says what makes one of it.
+    """
+    if isinstance(obj, Mesh):
+        return obj
+    vertices, faces, normals = _arrays(obj)
+    mesh = Mesh(vertices, faces, copy=False, normals=normals)
+    _warn_of_coarse_coordinates(np.asarray(vertices), mesh)
+    return mesh
+
+
+def _arrays(obj):
+    """Vertices, faces and normals (or None) of an object."""
+    name = type(obj).__name__
+    if isinstance(obj, (str, PathLike)):
+        raise InputError(f"{str(obj)!r} is a file: read it, e.g. pyvista.read({str(obj)!r})")
+    if isinstance(obj, (tuple, list)):
+        if len(obj) != 2:
+            raise InputError(f"a mesh is a pair (vertices, faces), not {len(obj)} things")
+        return *obj, None
+    if hasattr(obj, "geometry") and hasattr(obj, "to_geometry"):
+        raise InputError(f"{name} holds several meshes; pass its .to_mesh()")
+    if hasattr(obj, "cells_dict") and hasattr(obj, "points") and hasattr(obj, "cell_sets"):
+        return _of_cells(name, obj.points, obj.cells_dict, "triangle", ("vertex", "line"))
+    if hasattr(obj, "vertices") and hasattr(obj, "faces"):
+        return obj.vertices, obj.faces, None
+    try:
+        import pyvista
+    except ImportError:
+        raise InputError(
+            f"a mesh is a curvlib.Mesh or a pair (vertices, faces); for {name} install pyvista"
+        ) from None
+    try:
+        data = pyvista.wrap(obj)
+    except (NotImplementedError, TypeError, ValueError) as error:
+        raise InputError(f"cannot wrap {name} as a mesh: {error}") from None
+    if isinstance(data, pyvista.PolyData):
+        return _of_polydata(data)
+    if isinstance(data, pyvista.UnstructuredGrid) and "vtkGhostType" not in data.cell_data:
+        return _of_cells(name, data.points, data.cells_dict, TRIANGLE, NO_AREA)
+    raise InputError(
+        f"{type(data).__name__} is no triangle mesh; pass its .extract_surface().triangulate(), "
+        "whose point data vtkOriginalPointIds tell which point of yours each one is"
+    )
+
+
+def _of_cells(name, points, cells, triangle, without_area):
+    """As `_arrays`, of cells by their type: triangles, beside what has no area."""
+    others = {str(kind) for kind in cells if kind != triangle and kind not in without_area}
+    if triangle not in cells or others:
+        found = f"cells of type {', '.join(sorted(others))}" if others else "no triangles"
+        raise InputError(
+            f"{name} has {found}; pass its .extract_surface().triangulate() by pyvista, whose "
+            "point data vtkOriginalPointIds tell which point of yours each one is (their order "
+            "changes)"
+        )
+    return points, cells[triangle], None
+
+
+def _of_polydata(data):
+    """As `_arrays`, of a PolyData."""
+    faces = np.asarray(data.faces)
+    if data.n_strips or len(faces) % 4 or (faces[::4] != 3).any():
+        raise InputError(
+            "PolyData is no triangle mesh, some faces have more corners; pass its .triangulate()"
+        )
+    faces = faces.reshape(-1, 4)[:, 1:]
+    ghosts = data.cell_data.get("vtkGhostType")
+    if ghosts is not None:
+        # Cells are counted points first, then lines, then faces.
+        first = data.n_verts + data.n_lines
+        faces = faces[(np.asarray(ghosts)[first:] & GHOST) == 0]
+    normals = data.point_data.active_normals
+    return np.asarray(data.points), faces, None if normals is None else np.asarray(normals)
+
+
+def _warn_of_coarse_coordinates(given, mesh):
+    """float32 far from the origin keeps few digits of an edge: say so."""
+    if given.dtype != np.float32 or not len(mesh.faces):
+        return
+    some = mesh.vertices[mesh.faces[:: 1 + len(mesh.faces) // 1000]]
+    edge = np.sqrt(((some - np.roll(some, 1, axis=1)) ** 2).sum(-1).mean())
+    step = float(np.spacing(np.abs(given).max()))
+    if step > COARSE * edge:
+        warnings.warn(
+            f"vertices: float32 coordinates of this size are multiples of {step:.2g}, but edges "
+            f"are {edge:.2g} long; curvature is left to chance: subtract an offset before "
+            "rounding, or keep float64",
+            MeshWarning,
+            stacklevel=5,
+        )
