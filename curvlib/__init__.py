@@ -21,7 +21,7 @@ __version__ = "0.1.0"
 # Public name -> where it is defined; imported at first use (PEP 562).
 _PUBLIC = {
     "Curvature": "nurbs.surface",
-    "Estimates": "estimation",
+    "Estimates": "estimates",
     "InputError": "errors",
     "Mesh": "meshes.mesh",
     "MeshWarning": "errors",

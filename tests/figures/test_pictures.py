@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import curvlib
-from curvlib.estimation import Estimates
 from curvlib.figures import pictures, render, views
 from curvlib.figures.style import save
 
@@ -229,9 +228,9 @@ def test_error_map_has_one_scale_and_leaves_out_who_has_no_values():
     cone, draw = mesh("cone"), Recorder()
     nan, inner = np.full(len(cone.H), np.nan), ~cone.boundary
     estimates = {
-        "good": Estimates(nan, np.where(inner, -cone.H * 1.001, np.nan)),
-        "bad": Estimates(nan, np.where(inner, cone.H * 2, np.nan)),
-        "of_K_alone": Estimates(cone.K, nan),
+        "good": SimpleNamespace(K=nan, H=np.where(inner, -cone.H * 1.001, np.nan)),
+        "bad": SimpleNamespace(K=nan, H=np.where(inner, cone.H * 2, np.nan)),
+        "of_K_alone": SimpleNamespace(K=cone.K, H=nan),
     }
     drawn = pictures.error_map(cone, estimates, "H", MODULES["cone"], MODULES, draw)
     assert texts(drawn) == ["Good", "Bad", f"Cone\n{len(cone.faces)} triangles"]
