@@ -1,16 +1,19 @@
-"""The estimators: one file each, found by listing this folder.
+"""The estimators: one file each, found by listing this folder; the stem is the name.
 
-A file holds LABEL and STYLE (for legends) and
+A file holds LABEL (for legends), SOURCE (DOI or URL of the method), optionally STYLE (how its
+curves are drawn), and
 
     @compiled
     def estimate(ring, option: Literal["default", "other"] = "default"):
         return K, H
 
-with arrays (m,) for a batch of m one-rings (see curvlib.kit.ring), or None for a quantity it does
-not estimate. The keyword options are its readings, their Literal the valid values. Compiled
-code runs fast and on several threads; without the decorator it is NumPy on the same arrays.
-A first parameter called `mesh` instead of `ring` asks for the whole curvlib.Mesh, and arrays
-(V,).
-Imports are absolute, so that a copy of a file works outside the package too.
-An estimator whose value depends on which way round the ring is walked says so in ONE_SIDED.
+The name of the first parameter says what it is given: `ring`, a batch of m closed one-rings of
+one valence (curvlib.kit.ring); `mesh`, the whole curvlib.Mesh. The keyword options are its
+readings, their Literal the valid values. It returns K and H, or the six fields of
+curvlib.kit.tensor.Curvatures: arrays (m,), directions (3, m), pointwise; (V,) and (3, V) where it
+is given the mesh; None for what it does not estimate. Arrays that it is given are read only.
+
+Compiled code runs fast and on several threads; without the decorator it is NumPy on the same
+arrays. Imports are absolute, so that a copy of a file works outside the package too. An estimator
+whose value depends on which way round the ring is walked says so in ONE_SIDED.
 """

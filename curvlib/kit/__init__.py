@@ -1,1 +1,16 @@
-"""What an estimator is written with: arrays in, arrays out; no mesh, no file. Published."""
+"""What an estimator is written with: arrays in, arrays out; no mesh, no file.
+
+This room is public: a file of estimators imports from here and from other estimators, from
+nothing else of curvlib, and what is here keeps its names and meaning between minor versions.
+
+`compiled`  the decorator that has Numba compile a function, and keeps the result
+`vectors`   triples of numbers: dot, cross, norm
+`ring`      batches of closed one-rings in the paper's letters: e_i, alpha_i, beta_i, N_v, kn_i
+`fit`       batches of small least-squares problems
+`tensor`    from a second fundamental form, a graph or K and H to K, H, k1, k2, d1, d2
+
+Arrays are component first, vector lanes last: (3, n, m) holds n edge vectors of m rings, so that
+loops over m run through contiguous memory. Lengths are in the unit of the mesh, angles in
+radians; normal curvature is positive where the surface bends away from its normal; what is
+undefined is NaN.
+"""
