@@ -29,6 +29,7 @@ def pieces(source):
         elif source[at] == "#":
             statement = re.compile(r"#(let|for|if|show|import)\b").match(source, at)
             end = code_end(source, at + 1, whole_line=bool(statement))
+            end += source.startswith(";", end)  # it ends the code and is not set
             codes.append(source[at:end])
             at = end
         else:
@@ -110,6 +111,47 @@ def test_no_number_is_pasted():
 def test_a_pasted_number_would_be_found(sentence):
     text = ARTICLE.read_text()
     assert len(pasted(text + sentence)) > len(pasted(text))
+
+
+def swallowed(source):
+    """Code and mathematics with a `;` right after `#...`, which Typst takes for the end of the
+    code instead of setting it."""
+    _, maths, codes = pieces(source)
+    in_maths = [code for m in maths for code in pieces(m.strip("$"))[2]]
+    return [code for code in codes + in_maths if code.endswith(";")]
+
+
+@pytest.mark.parametrize("path", sorted(ARTICLE.parent.glob("*.typ")), ids=lambda path: path.name)
+def test_no_semicolon_is_swallowed(path):
+    assert swallowed(path.read_text()) == []
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "#given(true)[It is best]; yet others are close.",
+        "Between #value(low) and #value(high); with noise, more.",
+        "#given(true)[It is #value(low); with noise, more.]",
+        "#ruled((1fr,), (), ([#strong[a]; b],), [A table.])",
+        "Of $#value(low); x$ only.",
+        "See #name; it is best.",
+    ],
+)
+def test_a_swallowed_semicolon_would_be_found(sentence):
+    text = ARTICLE.read_text()
+    assert len(swallowed(text + sentence)) == len(swallowed(text)) + 1
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "#given(true)[It is best]\\; yet others are close.",
+        "#given(true)[It is best; yet others are close.]",
+        "It is best (on cylinders); yet others are close [1]; see $f(x); g$.",
+    ],
+)
+def test_a_semicolon_that_is_set_is_not_found(sentence):
+    assert swallowed(sentence) == []
 
 
 def test_captions_are_plain_sentences_without_numbers():
@@ -234,6 +276,11 @@ def shown(tmp_path):
 )
 def test_look_ups(shown, expression, value):
     assert shown(expression) == value
+
+
+def test_the_compiler_sets_an_escaped_semicolon_only(shown):
+    assert shown(r"plain([#spelt(2)\; more])") == "two; more"
+    assert shown("plain([#spelt(2); more])") == "two more"
 
 
 def test_a_power_of_ten(shown):
