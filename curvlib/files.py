@@ -1,56 +1,139 @@
-"""Files that are there whole or not at all, and archives and HDF5 opened with one clear error."""
+"""Writing files whole or not at all; opening archives and HDF5 with one clear error."""
 
+import errno
 import io
 import os
-from contextlib import contextmanager
+import struct
+import zlib
+from contextlib import ExitStack, contextmanager
+from difflib import get_close_matches
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from zipfile import BadZipFile, ZipFile
 
 from curvlib.errors import InputError
 
+# The system refuses a file: disk full, quota or size limit reached, no permission, a file where a
+# folder has to be or the reverse.
+REFUSED = {
+    errno.ENOSPC,
+    errno.EDQUOT,
+    errno.EFBIG,
+    errno.EACCES,
+    errno.EPERM,
+    errno.EROFS,
+    errno.ENOTDIR,
+    errno.EISDIR,
+    errno.EEXIST,
+}
 
-def place_of(path, member):
-    return path if member is None else f"{path}: {member}"
+# What zipfile and h5py raise on damaged bytes, beside OSError.
+DAMAGED = (BadZipFile, EOFError, KeyError, RuntimeError, ValueError, struct.error, zlib.error)
 
 
 @contextmanager
 def whole_file(path):
-    """A path to write to that becomes `path` at the end, or is removed on an error."""
+    """A path to write to; the file moves to `path` at the end and is removed on an error.
+
+    The folder of `path` is made if it does not exist. The temporary file keeps its name in a
+    folder of its own, so that two runs which write the same file do not meet. InputError where
+    the system refuses a file: disk full, no permission.
+    """
     path = Path(path)
-    part = path.with_name(path.name + ".part")
     try:
-        yield part
-        os.replace(part, path)
-    finally:
-        part.unlink(missing_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with TemporaryDirectory(prefix=f"{path.name}.", suffix=".part", dir=path.parent) as folder:
+            part = Path(folder, path.name)
+            yield part
+            os.replace(part, path)
+    except OSError as error:
+        if error.errno not in REFUSED:
+            raise
+        temporary = error.filename is None or ".part" in str(error.filename)
+        about = path if temporary else error.filename
+        raise InputError(f"{about}: {error.strerror}") from None
+
+
+@contextmanager
+def write_hdf5(path):
+    """An HDF5 file open for writing, built in memory; Python writes its bytes to `path`.
+
+    On a full disk HDF5 2.0 ends in a segmentation fault, Python in an OSError.
+    """
+    import h5py
+
+    with h5py.File(path, "w", driver="core", backing_store=False) as file:
+        yield file
+        file.flush()
+        image = file.id.get_file_image()
+    Path(path).write_bytes(image)
 
 
 @contextmanager
 def open_archive(path):
-    """A zip file open for reading; InputError, naming it, where it is cut off or no zip file."""
-    try:
-        archive = ZipFile(path)
-    except (BadZipFile, OSError) as error:
-        reason = "missing" if isinstance(error, FileNotFoundError) else "cut off or no zip file"
-        raise InputError(f"{path}: {reason}; get it again") from None
-    with archive:
-        yield archive
+    """A zip file open for reading; InputError where it is missing, cut off or no zip file."""
+    with _open(path) as raw:
+        try:
+            archive = ZipFile(raw)
+        except (*DAMAGED, OSError):
+            raise InputError(f"{path}: cut off or no zip file; get the archive again") from None
+        with archive:
+            yield archive
 
 
 @contextmanager
 def open_hdf5(path, member=None):
-    """A file, or a member of an archive, open for reading; InputError, naming it, where it is
-    cut off or no HDF5."""
+    """An HDF5 file, or a member of an archive, open for reading.
+
+    InputError where it is missing or damaged, or where reading from it fails. HDF5 takes no lock:
+    a file that another process has open is read as it is.
+    """
     import h5py
 
-    try:
-        if member is None:
-            file = h5py.File(path, "r")
-        else:
-            with open_archive(path) as archive:
-                file = h5py.File(io.BytesIO(archive.read(member)), "r")
-    except (BadZipFile, OSError) as error:
-        reason = "missing" if isinstance(error, FileNotFoundError) else "cut off or not HDF5"
-        raise InputError(f"{place_of(path, member)}: {reason}; get or make it again") from None
-    with file:
-        yield file
+    where = path if member is None else f"{path}: {member}"
+    remedy = "delete it and run again" if member is None else "get the archive again"
+    with _open(path) if member is None else _open_member(path, member) as raw:
+        opened = False
+        try:
+            with h5py.File(raw, "r") as file:
+                opened = True
+                yield file
+        except (*DAMAGED, OSError) as error:
+            lacks = f"does not hold the expected data ({error.args[0]})"
+            reason = lacks if opened else "cut off or not HDF5"
+            raise InputError(f"{where}: {reason}; {remedy}") from None
+
+
+def no_such_file(path) -> str:
+    """What to say of a path where nothing is, with the nearest of the same kind beside it."""
+    path = Path(path)
+    beside = sorted(p.name for p in path.parent.glob("*") if p.suffix == path.suffix)
+    cutoff = 0.0 if path.suffix == ".zip" else 0.6  # An archive has few neighbours of its kind.
+    near = get_close_matches(path.name, beside, n=1, cutoff=cutoff)
+    hint = f"; did you mean {str(path.with_name(near[0]))!r}?" if near else ""
+    return f"{path}: no such file{hint}"
+
+
+@contextmanager
+def _open(path):
+    with ExitStack() as stack:
+        try:
+            raw = stack.enter_context(open(path, "rb"))
+        except FileNotFoundError:
+            raise InputError(no_such_file(path)) from None
+        except OSError as error:
+            raise InputError(f"{path}: {error.strerror}") from None
+        yield raw
+
+
+@contextmanager
+def _open_member(path, member):
+    """A member of an archive in memory, checked by its CRC."""
+    with open_archive(path) as archive:
+        try:
+            data = archive.read(member)
+        except (*DAMAGED, OSError) as error:
+            raise InputError(
+                f"{path}: {member}: cut off or changed ({error}); get the archive again"
+            ) from None
+    yield io.BytesIO(data)

@@ -18,11 +18,15 @@ def arguments(command) -> None:
         "dataset` makes)",
     )
     command.add_argument(
-        "-o", "--output", default=".", metavar="FOLDER", help="where to unpack (default: here)"
+        "-o",
+        "--output",
+        default=".",
+        metavar="FOLDER",
+        help="where to unpack; made if it does not exist (default: here)",
     )
 
 
 def run(options) -> None:
-    """Fetch, and say what to do with what came."""
+    """Fetch an archive and name the next steps."""
     folder = fetch(options.source, options.output)
     print(f"{folder}: read its README.md; in Python, curvlib.load_library({str(folder)!r})")

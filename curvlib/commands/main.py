@@ -1,4 +1,4 @@
-"""The command line: `curvlib`, a verb per file of this folder."""
+"""The command line `curvlib`: one file of this folder per verb."""
 
 import argparse
 import importlib
@@ -10,7 +10,10 @@ from curvlib.errors import InputError
 
 
 def main(arguments=None) -> int:
-    """Run a command; its exit status. Wrong input is one line on stderr and status 1."""
+    """Run a command and return its exit status.
+
+    Bad input is one line on stderr and status 1, wrong usage 2, an interruption 130.
+    """
     parser = argparse.ArgumentParser(prog="curvlib", description="Curvature on triangle meshes.")
     parser.add_argument("--version", action="version", version=f"curvlib {__version__}")
     commands = parser.add_subparsers(required=True, metavar="command")
@@ -27,4 +30,7 @@ def main(arguments=None) -> int:
     except InputError as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return 130
     return 0

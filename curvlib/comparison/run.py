@@ -5,7 +5,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from curvlib.estimation import estimate
-from curvlib.files import open_hdf5, whole_file
+from curvlib.files import open_hdf5, whole_file, write_hdf5
 
 from .norms import counted_vertices, error_rows, largest_curvature
 from .quantities import QUANTITIES
@@ -22,8 +22,6 @@ def run_estimator(
     of the default on the full ones; the errors (CSV) those of every variant and choice of
     vertices.
     """
-    import h5py
-
     stem, default = Path(estimator).stem, next(iter(variants))
 
     def rows():
@@ -44,7 +42,7 @@ def run_estimator(
                     for row in error_rows(mesh, result, counted):
                         yield mesh_labels | labels | row
 
-    with whole_file(output.values) as part, h5py.File(part, "w") as file:
+    with whole_file(output.values) as part, write_hdf5(part) as file:
         file.attrs.update(attributes, options=default)
         write_rows(output.errors, rows())
 

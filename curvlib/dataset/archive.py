@@ -12,10 +12,9 @@ SUMS = "SHA256SUMS"
 def write_archive(path, members: dict) -> None:
     """Write a zip file and, beside it, SHA256SUMS with its hash.
 
-    `members`: name in the archive -> file on disk (Path) or text (str). All lie in one folder
-    that has the archive's name, with SHA256SUMS of them. Members are sorted, their date is
-    fixed, and they are stored as they are: what deflate makes of the same bytes depends on the
-    zlib of the machine.
+    `members`: name in the archive -> file on disk (Path) or text (str). They lie in one folder of
+    the archive's name, with a SHA256SUMS of their own. For the same bytes on any machine, members
+    are sorted, have a fixed date and are not compressed: the output of deflate depends on zlib.
     """
     path = Path(path)
     hashes = {}
@@ -23,28 +22,33 @@ def write_archive(path, members: dict) -> None:
         with ZipFile(part, "w") as archive:
             for name in sorted(members):
                 content = members[name]
-                data = content.encode() if isinstance(content, str) else content.read_bytes()
+                data = content.encode("utf-8") if isinstance(content, str) else content.read_bytes()
                 hashes[name] = hashlib.sha256(data).hexdigest()
                 _store(archive, f"{path.stem}/{name}", data)
             _store(archive, f"{path.stem}/{SUMS}", sums_text(hashes).encode())
         digest = file_hash(part)
     with whole_file(path.with_name(SUMS)) as part:
-        part.write_text(sums_text({path.name: digest}))
+        part.write_text(sums_text({path.name: digest}), encoding="utf-8", newline="\n")
 
 
 def sums_text(hashes: dict) -> str:
-    """File name -> SHA-256, as `sha256sum --check` reads it."""
+    """The text of a SHA256SUMS file, as `sha256sum --check` reads it, from name -> SHA-256."""
     return "".join(f"{digest}  {name}\n" for name, digest in hashes.items())
 
 
 def parse_sums(text: str) -> dict:
-    """File name -> SHA-256 of a SHA256SUMS file; other lines are left out."""
+    """File name -> SHA-256 in lower case, from the text of a SHA256SUMS file.
+
+    Lines of another form are left out.
+    """
     rows = (line.split(maxsplit=1) for line in text.splitlines())
-    return {row[1].lstrip("*"): row[0] for row in rows if len(row) == 2}
+    return {
+        row[1].removeprefix("*").removeprefix("./"): row[0].lower() for row in rows if len(row) == 2
+    }
 
 
 def file_hash(path) -> str:
-    """SHA-256 of a file."""
+    """SHA-256 of a file, in hexadecimal digits."""
     with open(path, "rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 

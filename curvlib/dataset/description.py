@@ -15,33 +15,67 @@ from .library import Library, mesh_files
 def describe(templates, members: dict, library: Library, labels: dict, **facts) -> dict:
     """The describing members of an archive, member name -> text: meshes.csv and the templates.
 
-    `templates`: files in which $-names stand for `facts` and for what is counted here.
-    `members`: name -> path of what the archive holds. `labels`: name in words by surface.
+    `templates`: files with $-names for `facts` and for the counts made here; those that end in
+    .json are filled by `fill`. `members`: name -> path of the archive's files. `labels`: name in
+    words by surface.
     """
     table = mesh_table(library, labels)
     meshes = table.to_csv(index=False, lineterminator="\n")
     texts = [mesh_files(*key)[-1] for key in library]
-    per_surface = table.groupby("surface", sort=False)
-    summary = per_surface.agg({"label": "first", "n": "size", "K_min": "min", "K_max": "max"})
-    # + 0 makes 0 of -0, which is left of K = -1e-30 on a cone.
-    summary[["K_min", "K_max"]] = summary[["K_min", "K_max"]].round(3) + 0
-    summary = summary.reset_index().rename(columns={"n": "meshes"})
     facts |= {
         "surfaces": len(labels),
         "meshes": len(table),
         "triangles": f"{table.triangles.sum():,}",
         "megabytes": round(sum(path.stat().st_size for path in members.values()) / 1e6),
-        "table": summary.to_markdown(index=False, floatfmt="g"),
-        "meshes_bytes": len(meshes.encode()),
-        "meshes_hash": hashlib.sha256(meshes.encode()).hexdigest(),
-        "texts": ",\n".join(_text_resource(name, members[name]) for name in texts),
+        "table": _summary(table),
+        "meshes_bytes": len(meshes.encode("utf-8")),
+        "meshes_hash": hashlib.sha256(meshes.encode("utf-8")).hexdigest(),
+        "texts": [_text_resource(name, members[name]) for name in texts],
     }
-    described = {Path(t).name: Template(Path(t).read_text()).substitute(facts) for t in templates}
-    return {"meshes.csv": meshes, **described}
+    described = {"meshes.csv": meshes}
+    for path in map(Path, templates):
+        text = path.read_text(encoding="utf-8")
+        if path.suffix == ".json":
+            document = fill(json.loads(text), facts)
+            described[path.name] = json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+        else:
+            described[path.name] = Template(text).substitute(facts)
+    return described
+
+
+def fill(node, facts: dict):
+    """A JSON document with facts in place of $-names.
+
+    A string that is just `$name` becomes the fact itself, a number or a list; as an item of a
+    list, a list of facts becomes several items. In a longer string the fact becomes text.
+    """
+    if isinstance(node, dict):
+        return {key: fill(value, facts) for key, value in node.items()}
+    if isinstance(node, list):
+        items = []
+        for value in node:
+            filled = fill(value, facts)
+            items += filled if isinstance(value, str) and isinstance(filled, list) else [filled]
+        return items
+    if not isinstance(node, str):
+        return node
+    name = node.removeprefix("$")
+    return facts[name] if node == f"${name}" and name in facts else Template(node).substitute(facts)
+
+
+def _summary(table):
+    """A Markdown row per surface: its meshes and the extremes of K."""
+    table = table.assign(label=table.label.str.replace("|", r"\|"))
+    per_surface = table.groupby("surface", sort=False)
+    summary = per_surface.agg({"label": "first", "n": "size", "K_min": "min", "K_max": "max"})
+    # Adding 0 turns -0, the rounded K = -1e-30 of a cone, into 0.
+    summary[["K_min", "K_max"]] = summary[["K_min", "K_max"]].round(3) + 0
+    summary = summary.reset_index().rename(columns={"n": "meshes"})
+    return summary.to_markdown(index=False, floatfmt="g")
 
 
 def mesh_table(library: Library, labels: dict) -> pd.DataFrame:
-    """A row per mesh: sizes, the vertices without K and H, the extremes of both."""
+    """A row per mesh: sizes, the number of vertices without K and H, the extremes of both."""
     rows = []
     for (surface, diagonal, n), mesh in library.items():
         row = {
@@ -63,7 +97,7 @@ def mesh_table(library: Library, labels: dict) -> pd.DataFrame:
 
 def _text_resource(name, path):
     """A text file of the paper's form as a resource of the data package."""
-    resource = {
+    return {
         "name": Path(name).stem.lower(),
         "path": name,
         "bytes": path.stat().st_size,
@@ -79,4 +113,3 @@ def _text_resource(name, path):
             "missingValues": ["nan"],
         },
     }
-    return json.dumps(resource, indent=2)

@@ -1,86 +1,152 @@
-"""Getting an archive of the library: from the web or from a path, checked, unpacked whole."""
+"""Getting an archive of the library: downloaded or from a path, checked, unpacked whole."""
 
 import os
-from functools import partial
+import sys
+from contextlib import contextmanager, suppress
 from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
 from urllib.parse import urljoin, urlsplit
-from zipfile import BadZipFile
 
 from curvlib.errors import InputError
-from curvlib.files import open_archive
+from curvlib.files import DAMAGED, no_such_file, open_archive
 
 from .archive import SUMS, file_hash, parse_sums
 
 
-def fetch(source: str, folder=".") -> Path:
-    """Unpack the archive at a URL or path into a new folder of its name, which is returned.
+def fetch(source: str | os.PathLike, folder: str | os.PathLike = ".") -> Path:
+    """Unpack an archive of the library after a check of its SHA-256.
 
-    Its SHA-256 has to stand in a file SHA256SUMS beside it. Raises InputError, and leaves
-    nothing behind, where the archive or that file cannot be had, the hash differs, a member is
-    missing or would land outside the new folder, or that folder exists already.
+    Parameters
+    ----------
+    source : str or path
+        URL or path of the archive, a .zip file that a file SHA256SUMS beside it lists.
+    folder : path
+        Where to unpack; made if it does not exist.
+
+    Returns
+    -------
+    Path
+        The new folder in `folder`, with the archive's name without .zip.
+
+    Raises
+    ------
+    InputError
+        Where the archive or SHA256SUMS cannot be had, the hash differs, a member is missing or
+        would lie outside the new folder, or the new folder exists already. Nothing is left then.
     """
+    source = str(source)
     remote = "://" in source
-    name = PurePosixPath(urlsplit(source).path if remote else source).name
-    target = Path(folder, PurePosixPath(name).stem)
+    name = PurePosixPath(urlsplit(source).path).name if remote else Path(source).name
     if not name.endswith(".zip"):
         raise InputError(f"{source}: not an archive; give the URL or path of a .zip file")
-    if not os.access(folder, os.W_OK):
-        raise InputError(f"{folder}: no folder that can be written to, to unpack into")
-    if target.exists():
-        raise InputError(f"{target}: exists already; remove it, or unpack into another folder")
-    with TemporaryDirectory(prefix=f".{target.name}.", dir=folder) as temporary:
-        get = partial(_download, folder=temporary) if remote else _local
-        sums = get(urljoin(source, SUMS) if remote else Path(source).with_name(SUMS))
-        expected = parse_sums(sums.read_text(errors="replace")).get(name)
-        if expected is None:
-            raise InputError(f"{source}: {SUMS} beside it does not list {name}")
-        archive = get(source)
-        found = file_hash(archive)
-        if found != expected:
-            raise InputError(
-                f"{source}: cut off or changed, its SHA-256 is {found}, not {expected} as in {SUMS}"
-            )
-        _unpack(archive, target.name, temporary)
-        Path(temporary, target.name).rename(target)
+    folder = Path(folder).expanduser()
+    target = folder / name.removesuffix(".zip")
+    with _scratch(folder, target.name) as scratch:
+        if remote:
+            expected = _listed(_download(urljoin(source, SUMS), scratch), name, source)
+            _check_free(target)  # Before a download of minutes.
+            archive = _download(source, scratch, expected)
+        else:
+            archive = _existing(Path(source).expanduser())
+            expected = _listed(_existing(archive.with_name(SUMS)), name, source)
+            if file_hash(archive) != expected:
+                raise _changed(source, expected)
+            _check_free(target)  # Only now: nobody removes a folder for a damaged archive.
+        _unpack(archive, source, target.name, scratch)
+        Path(scratch, target.name).rename(target)
     return target
 
 
-def _local(path):
-    if not Path(path).is_file():
-        raise InputError(f"{path}: no such file; an archive is needed, and {SUMS} beside it")
-    return Path(path)
+@contextmanager
+def _scratch(folder, name):
+    """A temporary folder in `folder`, which is made for it and removed again on an error."""
+    made = [path for path in (folder, *folder.parents) if not path.exists()]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with TemporaryDirectory(prefix=f".{name}.", suffix=".part", dir=folder) as scratch:
+            yield scratch
+    except BaseException as error:
+        for path in made:
+            with suppress(OSError):
+                path.rmdir()
+        if isinstance(error, OSError):
+            raise InputError(f"{folder}: cannot unpack here ({error.strerror})") from None
+        raise
 
 
-def _download(url, folder):
+def _check_free(target):
+    if target.exists():
+        raise InputError(f"{target}: exists already; remove it, or unpack into another folder")
+
+
+def _existing(path):
+    if not path.is_file():
+        raise InputError(
+            f"{no_such_file(path)}; `snakemake dataset` makes an archive with {SUMS} beside it, "
+            "`curvlib fetch URL` downloads one"
+        )
+    return path
+
+
+def _listed(sums, name, source):
+    """The SHA-256 of an archive in a SHA256SUMS file."""
+    listed = parse_sums(sums.read_text(encoding="utf-8-sig", errors="replace"))
+    if name not in listed:
+        raise InputError(f"{source}: {SUMS} beside it does not list {name}")
+    return listed[name]
+
+
+def _changed(source, sha256):
+    return InputError(f"{source}: cut off or changed, its SHA-256 is not {sha256} as in {SUMS}")
+
+
+def _download(url, folder, sha256=None):
+    """Download a file; with a progress bar on a terminal and a check where its hash is known."""
     try:
         import pooch
         from requests import RequestException
     except ImportError:
         raise InputError(f"{url}: install pooch to download it, or give a path") from None
     pooch.get_logger().setLevel("WARNING")
-    name = PurePosixPath(urlsplit(url).path).name
     try:
-        return Path(pooch.retrieve(url, known_hash=None, fname=name, path=folder))
-    except (RequestException, ValueError, OSError) as error:
-        raise InputError(f"{url}: cannot be downloaded ({error})") from None
+        path = pooch.retrieve(
+            url,
+            known_hash=sha256 and f"sha256:{sha256}",
+            fname=PurePosixPath(urlsplit(url).path).name,
+            path=folder,
+            progressbar=sha256 is not None and sys.stderr.isatty(),
+        )
+    except (RequestException, OSError, ValueError) as error:
+        if sha256 and not isinstance(error, OSError):
+            raise _changed(url, sha256) from None
+        raise InputError(f"{url}: cannot be downloaded ({_reason(error)})") from None
+    return Path(path)
 
 
-def _unpack(path, top, folder):
-    """Extract an archive whose members all have to lie in the folder `top`."""
+def _reason(error):
+    """A download's error in a few words: the server's answer, or the first cause in the chain."""
+    if getattr(error, "response", None) is not None:
+        return f"{error.response.status_code} {error.response.reason}"
+    while cause := error.__cause__ or error.__context__:
+        error = cause
+    return getattr(error, "strerror", None) or str(error)
+
+
+def _unpack(path, source, top, folder):
+    """Extract an archive, got from `source`, whose members all have to lie in the folder `top`."""
     with open_archive(path) as archive:
         names = archive.namelist()
         for name in names:
             parts = name.split("/")
             if parts[0] != top or ".." in parts or "\\" in name:
-                raise InputError(f"{path}: member {name!r} lies outside the folder {top}/")
+                raise InputError(f"{source}: member {name!r} lies outside the folder {top}/")
         if f"{top}/{SUMS}" not in names:
-            raise InputError(f"{path}: member {top}/{SUMS} is missing")
+            raise InputError(f"{source}: member {top}/{SUMS} is missing")
         try:
-            listed = parse_sums(archive.read(f"{top}/{SUMS}").decode(errors="replace"))
-            for name in listed:
-                if f"{top}/{name}" not in names:
-                    raise InputError(f"{path}: member {top}/{name} is missing")
+            listed = parse_sums(archive.read(f"{top}/{SUMS}").decode("utf-8", errors="replace"))
             archive.extractall(folder)
-        except (BadZipFile, OSError, RuntimeError) as error:
-            raise InputError(f"{path}: cannot be unpacked ({error})") from None
+        except (*DAMAGED, OSError) as error:
+            raise InputError(f"{source}: cannot be unpacked ({_reason(error)})") from None
+        for name in listed:
+            if f"{top}/{name}" not in names:
+                raise InputError(f"{source}: member {top}/{name} is missing")

@@ -1,26 +1,24 @@
 """One mesh in a file: VTKHDF, PLY, and the text that the paper describes.
 
-Nothing in them is compressed: what deflate makes of the same bytes depends on the zlib of the
-machine.
+Nothing is compressed: the output of deflate depends on the machine's zlib.
 """
 
 import numpy as np
 
+from curvlib.files import write_hdf5
 from curvlib.meshes.mesh import FIELDS, Mesh
 
-# Version of the layout that PolyData came with.
+# The first version of the layout that has PolyData.
 VTKHDF_VERSION = (2, 0)
 
 
 def write_vtkhdf(path, mesh: Mesh, about: dict) -> None:
-    """HDF5 in the VTKHDF layout, PolyData: what VTK, ParaView and pyvista open as it is.
+    """Write HDF5 in the VTKHDF layout, PolyData, which VTK, ParaView and pyvista open directly.
 
-    Point data are the mesh's exact values and H2 = H^2, `smooth`, `pole` and `boundary` as 0 or 1.
+    Point data are the mesh's exact values, H2 = H^2, and `smooth`, `pole`, `boundary` as 0 or 1.
     `about`: attributes of the file's root.
     """
-    import h5py
-
-    with h5py.File(path, "w") as file:
+    with write_hdf5(path) as file:
         file.attrs.update(about)
         root = file.create_group("VTKHDF")
         root.attrs["Version"] = VTKHDF_VERSION
@@ -51,8 +49,8 @@ def read_vtkhdf(file) -> Mesh:
 
 
 def write_ply(path, mesh: Mesh, about: dict) -> None:
-    """Binary PLY in double precision: x y z, the normal, K, H2 = H^2, and K again as `quality`,
-    the only scalar that MeshLab shows. `about`: comment lines of its header."""
+    """Write binary PLY in double precision: x y z, the normal, K, H2 = H^2, and K again as
+    `quality`, the only scalar that MeshLab shows. `about`: comment lines of the header."""
     columns = {"x y z": mesh.vertices, "nx ny nz": mesh.normals}
     columns |= {"K": mesh.K, "H2": mesh.H2, "quality": mesh.K}
     names = " ".join(columns).split()
@@ -62,7 +60,7 @@ def write_ply(path, mesh: Mesh, about: dict) -> None:
     header = [
         "ply",
         "format binary_little_endian 1.0",
-        *(f"comment {key}: {value}" for key, value in about.items()),
+        *(f"comment {line}" for line in _lines(about)),
         f"element vertex {len(mesh.vertices)}",
         *(f"property double {name}" for name in names),
         f"element face {len(mesh.faces)}",
@@ -76,10 +74,15 @@ def write_ply(path, mesh: Mesh, about: dict) -> None:
 
 
 def write_text(path, mesh: Mesh, about: dict) -> None:
-    """A line `x y z K H^2` per vertex, 17 digits: the doubles come back.
+    """Write a line `x y z K H^2` per vertex with 17 digits, which give the same doubles back.
 
     `about`: lines before them, which start with #.
     """
-    header = "\n".join([*(f"{key}: {value}" for key, value in about.items()), "x y z K H^2"])
+    header = "\n".join([*_lines(about), "x y z K H^2"])
     rows = np.column_stack((mesh.vertices, mesh.K, mesh.H2))
-    np.savetxt(path, rows, fmt="%.17g", header=header)
+    np.savetxt(path, rows, fmt="%.17g", header=header, encoding="utf-8")
+
+
+def _lines(about):
+    """One line per item, whatever line breaks its text has."""
+    return [" ".join(f"{key}: {value}".split()) for key, value in about.items()]

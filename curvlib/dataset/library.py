@@ -1,15 +1,17 @@
-"""The library of meshes: a folder per surface, three files per mesh; or the archive of it.
+"""The library of meshes: a folder per surface, three files per mesh; or an archive of it.
 
-`<surface>/<surface>.<diagonal>.<n>` is the mesh of n x n cells: `.vtkhdf` with all that is
-known at its vertices, from which it is loaded, `.ply` and `.txt` with K and H^2.
+`<surface>/<surface>.<diagonal>.<n>` is the mesh of n x n cells: `.vtkhdf` holds all exact values
+and is the file that is loaded, `.ply` and `.txt` hold K and H^2.
 """
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from functools import cached_property
+from numbers import Integral
 from pathlib import Path, PurePosixPath
 
 from curvlib.errors import InputError, check_name
-from curvlib.files import open_archive, open_hdf5, place_of
+from curvlib.files import no_such_file, open_archive, open_hdf5
 from curvlib.meshes.mesh import Mesh
 
 from .formats import read_vtkhdf
@@ -28,29 +30,69 @@ def nurbs_file(surface: str) -> str:
     return f"{surface}/{surface}.json"
 
 
-def load_library(*paths) -> "Library":
-    """The meshes in a library's folder, in its archive or in single files; none is read yet.
+def load_library(*paths: str | os.PathLike) -> "Library":
+    """List the meshes of a library; each is read when it is asked for.
 
-    Raises InputError where there is no library. What is wrong with a file is told when its mesh
-    is asked for.
+    Parameters
+    ----------
+    *paths : path
+        The library's folder, its archive (.zip) or single .vtkhdf files of it. Where two hold a
+        mesh of the same name, the later path counts.
+
+    Returns
+    -------
+    Library
+        Meshes by (surface, diagonal, n).
+
+    Raises
+    ------
+    InputError
+        Where a path does not exist or holds no mesh. A damaged file is reported when its mesh is
+        asked for.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import curvlib
+    >>> from curvlib.dataset.write import write_library
+    >>> folder = tempfile.TemporaryDirectory()
+    >>> write_library(curvlib.surface("sphere"), [("same", 8), ("same", 12)], folder.name)
+    >>> library = curvlib.load_library(folder.name)
+    >>> library
+    <Library of 2 meshes>
+      surfaces: sphere
+      diagonals: same
+      n: 8, 12
+    >>> mesh = library.mesh("sphere", 12)
+    >>> mesh.vertices.shape, mesh.K.shape
+    ((134, 3), (134,))
+    >>> folder.cleanup()
     """
     files = {}
-    for path in map(Path, paths):
-        found = dict(_meshes(path))
+    for path in (Path(path).expanduser() for path in paths):
+        found = dict(_meshes(path)) if path.exists() else {}
         if not found:
+            reason = f"{path}: no mesh library here" if path.exists() else no_such_file(path)
             raise InputError(
-                f"{path}: no mesh library here; `curvlib fetch` gets one, `snakemake` makes one "
-                "in data/library"
+                f"{reason}; `curvlib fetch` gets a library, `snakemake` makes one in data/library"
             )
         files |= found
     return Library(files)
 
 
 class Library(Mapping):
-    """Meshes by (surface, diagonal, n); each is read when it is asked for."""
+    """Meshes with exact curvature by (surface, diagonal, n), as `load_library` finds them.
+
+    A read-only mapping: `library[surface, diagonal, n]` reads a mesh and raises KeyError where
+    there is none; `library.mesh` names the nearest one instead. No mesh is kept in memory.
+
+    Parameters
+    ----------
+    files : dict
+        (surface, diagonal, n) -> (path, None) of a .vtkhdf file, or (path, member) of an archive.
+    """
 
     def __init__(self, files: dict):
-        """`files`: for every key the path of its .vtkhdf, or the archive's and the member."""
         self._files = files
 
     def __iter__(self):
@@ -59,18 +101,58 @@ class Library(Mapping):
     def __len__(self):
         return len(self._files)
 
+    def __contains__(self, key):
+        return key in self._files
+
     def __getitem__(self, key) -> Mesh:
-        """The mesh; InputError, naming the file, where that is cut off or no such mesh."""
-        path, member = self._files[key]
-        with open_hdf5(path, member) as file:
-            try:
-                return read_vtkhdf(file)
-            except (KeyError, OSError) as error:
-                where = place_of(path, member)
-                raise InputError(f"{where}: not a mesh of a library ({error})") from None
+        with open_hdf5(*self._files[key]) as file:
+            return read_vtkhdf(file)
+
+    def __repr__(self):
+        lines = [f"<Library of {len(self)} mesh{'' if len(self) == 1 else 'es'}>"]
+        for name, values in zip(("surfaces", "diagonals", "n"), zip(*self)):
+            lines.append(f"  {name}: {', '.join(map(str, sorted(set(values))))}")
+        return "\n".join(lines)
 
     def mesh(self, surface: str, n: int, diagonal: str = "same") -> Mesh:
-        """The mesh of a surface at resolution n; InputError, with the nearest, if there is none."""
+        """Read the mesh of a surface.
+
+        Parameters
+        ----------
+        surface : str
+            Name of the surface, one of `surfaces()`.
+        n : int
+            Resolution: the mesh has n x n cells, two triangles each but at poles.
+        diagonal : str
+            How the cells are cut: "same", "alternate", "shortest", "random-<seed>" or
+            "jittered-<seed>".
+
+        Returns
+        -------
+        Mesh
+            `vertices` (V, 3) in the surface's unit of length, `faces` (F, 3) counter-clockwise
+            seen from outside, exact pointwise `K` (V,) in 1/length^2 and `H` (V,) in 1/length
+            with H > 0 where the surface bends away from its outward normal, NaN where the surface
+            is not C^2; also `k1`, `k2`, `d1`, `d2`, `normals`, `uv`, `smooth`, `pole`,
+            `boundary`.
+
+        Raises
+        ------
+        InputError
+            Where the library has no such mesh, with the nearest name, or its file is damaged.
+
+        Examples
+        --------
+        >>> import tempfile
+        >>> import curvlib
+        >>> from curvlib.dataset.write import write_library
+        >>> folder = tempfile.TemporaryDirectory()
+        >>> write_library(curvlib.surface("sphere"), [("same", 8)], folder.name)
+        >>> library = curvlib.load_library(folder.name)
+        >>> float(abs(library.mesh("sphere", 8).H - 1).max()) < 1e-12
+        True
+        >>> folder.cleanup()
+        """
         self._check((surface, diagonal, n))
         return self[surface, diagonal, n]
 
@@ -78,32 +160,44 @@ class Library(Mapping):
         """Names of the surfaces, sorted."""
         return sorted({surface for surface, _, _ in self})
 
-    def only(self, keys) -> "Library":
+    def only(self, keys: Iterable[tuple[str, str, int]]) -> "Library":
         """The library of these (surface, diagonal, n), in this order; InputError as in `mesh`."""
+        keys = list(keys)
         for key in keys:
             self._check(key)
         return Library({key: self._files[key] for key in keys})
 
+    @cached_property
+    def _place(self):
+        """Where the files lie, for messages."""
+        if not self._files:
+            return "empty library"
+        return os.path.commonpath([os.path.abspath(path) for path, _ in self._files.values()])
+
     def _check(self, key):
+        """Raise InputError, with the nearest name, unless the library has this mesh."""
         surface, diagonal, n = key
-        if key not in self._files:
-            where = os.path.commonpath([os.path.abspath(path) for path, _ in self._files.values()])
-            check_name("surface", surface, self.surfaces(), where)
-            of_surface = [(d, m) for s, d, m in self if s == surface]
-            check_name("diagonal", diagonal, sorted({d for d, _ in of_surface}), where)
-            valid = [str(m) for d, m in of_surface if d == diagonal]
-            check_name("resolution", str(n), valid, f"{where}, {surface}, diagonal {diagonal}")
+        if not isinstance(n, Integral):
+            raise InputError(f"{self._place}: n is an int, not {n!r}")
+        if key in self:
+            return
+        check_name("surface", surface, self.surfaces(), self._place)
+        of_surface = [(d, m) for s, d, m in self if s == surface]
+        check_name("diagonal", diagonal, sorted({d for d, _ in of_surface}), self._place)
+        valid = [str(m) for d, m in of_surface if d == diagonal]
+        where = f"{self._place}, {surface}, diagonal {diagonal}"
+        check_name("resolution", str(n), valid, where)
 
 
 def _meshes(path):
     """Yield ((surface, diagonal, n), (path, member or None)) of a folder, archive or file."""
     if path.is_dir():
         files = [(file, file, None) for file in path.glob("*/*.vtkhdf")]
-    elif path.suffix == ".zip" and path.exists():
+    elif path.suffix == ".zip":
         with open_archive(path) as archive:
             files = [(PurePosixPath(m), path, m) for m in archive.namelist()]
     else:
-        files = [(path, path, None)] if path.exists() else []
+        files = [(path, path, None)]
     for name, *place in sorted(files):
         surface, *key = name.stem.rsplit(".", 2)
         if name.suffix == ".vtkhdf" and len(key) == 2 and key[1].isdecimal():

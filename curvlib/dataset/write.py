@@ -1,4 +1,4 @@
-"""Writing the library: every mesh in every format, and the surface it was cut from."""
+"""Writing the library: every mesh in every format, and the surface that it samples."""
 
 from pathlib import Path
 
@@ -15,14 +15,14 @@ CONVENTIONS = (
     "surface is not C^2"
 )
 
-
 WRITERS = dict(zip(KINDS, (write_vtkhdf, write_ply, write_text), strict=True))
 
 
 def write_library(surface: Surface, meshes, folder) -> None:
-    """Tessellate a surface, for every (diagonal, n) of `meshes`, and write the files of each.
+    """Tessellate a surface for every (diagonal, n) of `meshes` and write the files of each mesh.
 
-    A file is there whole or not at all.
+    InputError where the system refuses a file, on a full disk for one. No file is left half
+    written.
     """
     for diagonal, n in meshes:
         mesh = tessellate(surface, n, diagonal)
@@ -34,9 +34,7 @@ def write_library(surface: Surface, meshes, folder) -> None:
             "source": f"curvlib, from the NURBS surface in {nurbs_file(surface.name)}",
         }
         for file, write in zip(mesh_files(surface.name, diagonal, n), WRITERS.values()):
-            path = Path(folder, file)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            with whole_file(path) as part:
+            with whole_file(Path(folder, file)) as part:
                 write(part, mesh, about)
 
 
@@ -44,7 +42,5 @@ def write_nurbs(surface: Surface, folder) -> None:
     """Write the surface itself, for `geomdl.exchange.import_json`."""
     from geomdl.exchange import export_json
 
-    path = Path(folder, nurbs_file(surface.name))
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with whole_file(path) as part:
+    with whole_file(Path(folder, nurbs_file(surface.name))) as part:
         export_json(surface.model, str(part))

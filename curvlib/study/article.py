@@ -1,21 +1,24 @@
-"""The article: a Typst source set with what this run found; the same bytes each time."""
+"""The article: a Typst source set with the values of this run; the same bytes each time."""
 
+import csv
 import datetime
+import io
 import json
 from pathlib import Path
 
 from curvlib.errors import InputError
+from curvlib.files import whole_file
 
 
 def typeset(source, output, results, **values) -> None:
     """Write the PDF of an article to `output`.
 
-    `source`: its main Typst file; what that includes lies beside it. It finds the absolute path
-    of the folder `results` in `sys.inputs.results` and each of `values` by its name, as JSON.
-    Fonts are those that come with the compiler, so that every machine sets the same pages.
+    `source`: the main Typst file, with the files that it includes beside it. It finds the absolute
+    path of the folder `results` in `sys.inputs.results` and each of `values` by its name, as JSON.
+    Only the compiler's own fonts are used, so that every machine sets the same pages.
 
-    Raises InputError where the source is wrong, asks for a value that the results do not have or
-    says what they do not bear out; then nothing is written.
+    InputError where the source is wrong, asks for a value that the results lack or makes a
+    statement that they do not bear out; then nothing is written.
     """
     import typst
 
@@ -31,28 +34,32 @@ def typeset(source, output, results, **values) -> None:
         )
     except typst.TypstError as error:
         kind, _, sentence = error.message.partition(": ")
-        # What the article itself says in one line; of a mistake in it the compiler shows where.
+        # The article's own checks fail in one line; for a mistake in it the place is shown too.
         raised = kind in ("panicked with", "assertion failed")
         raise InputError(f"{source}: {sentence if raised else error.diagnostic}") from None
-    Path(output).write_bytes(pdf)
+    with whole_file(output) as part:
+        part.write_bytes(pdf)
 
 
 def excerpts(folder, wanted: dict) -> dict:
-    """Of tables `<name>.csv` in a folder the header and the lines whose columns have one of the
-    values wanted, name -> column -> values: the compiler would take seconds to find them."""
-    found = {}
-    for name, where in wanted.items():
-        with Path(folder, f"{name}.csv").open(newline="") as file:
-            header, *lines = file
-        columns = header.rstrip().split(",")
+    """Parts of the tables `<name>.csv` in a folder, as CSV text: the rows whose columns hold one of
+    the values wanted, name -> column -> values. The compiler would take seconds to select them."""
+    return {name: _excerpt(Path(folder, f"{name}.csv"), where) for name, where in wanted.items()}
+
+
+def _excerpt(path, where):
+    found = io.StringIO()
+    with path.open(newline="", encoding="utf-8") as file:
+        rows, writer = csv.reader(file), csv.writer(found, lineterminator="\n")
+        header = next(rows)
+        writer.writerow(header)
         for column, values in where.items():
-            at = columns.index(column)
-            # What is quoted has commas in later columns alone.
-            lines = [line for line in lines if line.rstrip().split(",", at + 1)[at] in values]
-        found[name] = "".join((header, *lines))
-    return found
+            at = header.index(column)
+            rows = filter(lambda row, at=at, values=values: row[at] in values, rows)
+        writer.writerows(rows)
+    return found.getvalue()
 
 
 def caption(path) -> str:
     """A caption file's text on one line."""
-    return " ".join(Path(path).read_text().split())
+    return " ".join(Path(path).read_text(encoding="utf-8").split())
