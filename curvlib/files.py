@@ -27,8 +27,18 @@ REFUSED = {
     errno.EEXIST,
 }
 
-# What zipfile and h5py raise on damaged bytes, beside OSError.
-DAMAGED = (BadZipFile, EOFError, KeyError, RuntimeError, ValueError, struct.error, zlib.error)
+# zipfile and h5py raise these on damaged bytes, beside OSError.
+DAMAGED = (
+    BadZipFile,
+    EOFError,
+    KeyError,
+    MemoryError,
+    RuntimeError,
+    TypeError,
+    ValueError,
+    struct.error,
+    zlib.error,
+)
 
 
 @contextmanager
@@ -99,9 +109,9 @@ def open_hdf5(path, member=None):
                 opened = True
                 yield file
         except (*DAMAGED, OSError) as error:
-            lacks = f"does not hold the expected data ({error.args[0]})"
-            reason = lacks if opened else "cut off or not HDF5"
-            raise InputError(f"{where}: {reason}; {remedy}") from None
+            detail = " ".join(map(str, error.args))
+            reason = f"not the expected data ({detail})" if opened else "cut off or not HDF5"
+            raise InputError(f"{where}: {reason}; {remedy}") from error
 
 
 def no_such_file(path) -> str:

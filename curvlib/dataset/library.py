@@ -14,7 +14,7 @@ from curvlib.errors import InputError, check_name
 from curvlib.files import no_such_file, open_archive, open_hdf5
 from curvlib.meshes.mesh import Mesh
 
-from .formats import read_vtkhdf
+from .vtkhdf import read_vtkhdf
 
 # One file of each per mesh; it is loaded from the first.
 KINDS = (".vtkhdf", ".ply", ".txt")

@@ -6,8 +6,9 @@ from curvlib.files import whole_file
 from curvlib.nurbs.surface import Surface
 from curvlib.nurbs.tessellation import tessellate
 
-from .formats import write_ply, write_text, write_vtkhdf
+from .formats import write_ply, write_text
 from .library import KINDS, mesh_files, nurbs_file
+from .vtkhdf import write_vtkhdf
 
 CONVENTIONS = (
     "exact at the vertices, pointwise; lengths in the unit of the mesh, K in 1/length^2, H in "

@@ -1,6 +1,7 @@
 """The archive: the same bytes each time, and what it says of itself holds."""
 
 import hashlib
+import io
 import json
 import re
 import zipfile
@@ -15,7 +16,7 @@ import yaml
 
 import curvlib
 from curvlib.dataset.archive import parse_sums, write_archive
-from curvlib.dataset.description import describe
+from curvlib.dataset.description import describe, fill
 from curvlib.dataset.library import mesh_files, nurbs_file
 from curvlib.dataset.write import write_library, write_nurbs
 
@@ -25,7 +26,7 @@ MESHES = [("same", 8), ("same", 12)]
 NAME = "curvature-library-0.0.0"
 
 
-def make(folder):
+def make(folder, labels=None, **facts):
     """An archive of two surfaces at two resolutions."""
     for name in SURFACES:
         write_library(curvlib.surface(name), MESHES, folder / "library")
@@ -37,10 +38,8 @@ def make(folder):
         sorted((ROOT / "workflow/archive").iterdir()),
         members,
         curvlib.load_library(folder / "library"),
-        {s: curvlib.surface(s).label for s in SURFACES},
-        name=NAME,
-        version="0.0.0",
-        released="2003-09-14",
+        {s: curvlib.surface(s).label for s in SURFACES} | (labels or {}),
+        **({"name": NAME, "version": "0.0.0", "released": "2003-09-14"} | facts),
     )
     write_archive(folder / f"{NAME}.zip", members | described)
     return folder / f"{NAME}.zip"
@@ -76,9 +75,9 @@ def test_hashes_are_those_of_the_files(archive, unpacked):
     def digest(path):
         return hashlib.sha256(path.read_bytes()).hexdigest()
 
-    beside = archive.with_name("SHA256SUMS").read_text()
+    beside = archive.with_name("SHA256SUMS").read_text(encoding="utf-8")
     assert beside == f"{digest(archive)}  {archive.name}\n"
-    sums = parse_sums((unpacked / "SHA256SUMS").read_text())
+    sums = parse_sums((unpacked / "SHA256SUMS").read_text(encoding="utf-8"))
     files = {p for p in unpacked.rglob("*") if p.is_file()} - {unpacked / "SHA256SUMS"}
     assert sums == {str(p.relative_to(unpacked)): digest(p) for p in files}
 
@@ -114,7 +113,7 @@ def test_table_of_meshes(unpacked):
 
 
 def test_readme(unpacked):
-    text = (unpacked / "README.md").read_text()
+    text = (unpacked / "README.md").read_text(encoding="utf-8")
     triangles = pd.read_csv(unpacked / "meshes.csv").triangles.sum()
     assert "2 surfaces" in text
     assert f"4 meshes, {triangles:,} triangles" in text
@@ -129,7 +128,7 @@ def test_croissant_is_valid_and_loads_the_table(unpacked):
     table = pd.read_csv(unpacked / "meshes.csv")
     assert list(records.columns) == [f"meshes/{name}" for name in table.columns]
     np.testing.assert_array_equal(records["meshes/K_max"], table.K_max)
-    metadata = json.loads((unpacked / "croissant.json").read_text())
+    metadata = json.loads((unpacked / "croissant.json").read_text(encoding="utf-8"))
     for files in metadata["distribution"]:
         assert list(unpacked.glob(files.get("includes", files.get("contentUrl")))), files["@id"]
 
@@ -149,12 +148,65 @@ def test_data_package_is_valid(unpacked):
     assert [error[0] for error in report.flatten(["type"])] == ["hash-count"]
 
 
+def test_names_with_quotes_are_still_json(tmp_path):
+    """And still Markdown and CSV: each format has its own way to quote."""
+    odd = 'a "b" \\ c | é'
+    archive = zipfile.ZipFile(make(tmp_path, {"sphere": odd}, version=odd))
+    text = {
+        name: archive.read(f"{NAME}/{name}").decode("utf-8")
+        for name in ("croissant.json", "datapackage.json", "README.md", "meshes.csv")
+    }
+    for name in ("croissant.json", "datapackage.json"):
+        assert json.loads(text[name])["version"] == odd
+    table = pd.read_csv(io.StringIO(text["meshes.csv"]))
+    assert set(table.label[table.surface == "sphere"]) == {odd}
+    (row,) = re.findall(r"^\| sphere .*$", text["README.md"], re.M)
+    (header,) = re.findall(r"^\| surface .*$", text["README.md"], re.M)
+    assert len(re.split(r"(?<!\\)\|", row)) == len(header.split("|"))
+
+
+def test_facts_in_json():
+    """A fact alone keeps its type; a list among a list's items becomes items."""
+    template = {"a": "$n", "b": ["$n", "$many", ["$n"]], "c": "$n or ${n}", "d": 5, "e": "$$n"}
+    facts = {"n": 7, "many": [{"x": '"'}, 8]}
+    assert fill(template, facts) == {
+        "a": 7,
+        "b": [7, {"x": '"'}, 8, [7]],
+        "c": "7 or 7",
+        "d": 5,
+        "e": "$n",
+    }
+    with pytest.raises(KeyError):
+        fill({"a": ["$unknown"]}, facts)
+
+
+def test_point_data_are_described(unpacked):
+    """Each array in the files has a row in the README and a word in the croissant."""
+    import h5py
+
+    with h5py.File(unpacked / mesh_files("sphere", "same", 8)[0]) as file:
+        arrays = list(file["VTKHDF/PointData"])
+    assert "pole" in arrays
+    rows = [
+        line
+        for line in (unpacked / "README.md").read_text(encoding="utf-8").splitlines()
+        if line.startswith("| `")
+    ]
+    described = {name for row in rows for name in re.findall(r"`(\w+)`", row.split("|")[1])}
+    assert set(arrays) <= described
+    metadata = json.loads((unpacked / "croissant.json").read_text(encoding="utf-8"))
+    (files,) = [f for f in metadata["distribution"] if f["@id"] == "vtkhdf"]
+    assert set(arrays) <= set(re.findall(r"\w+", files["description"]))
+    ours = (ROOT / "data/README.md").read_text(encoding="utf-8")
+    assert set(arrays) <= set(re.findall(r"`(\w+)`", ours))
+
+
 def test_citation(unpacked):
     """Of the archive: its own version and date. Of the project: that of the package."""
-    found = yaml.safe_load((unpacked / "CITATION.cff").read_text())
+    found = yaml.safe_load((unpacked / "CITATION.cff").read_text(encoding="utf-8"))
     assert (found["type"], found["version"]) == ("dataset", "0.0.0")
     assert str(found["date-released"]) == "2003-09-14"
-    project = yaml.safe_load((ROOT / "CITATION.cff").read_text())
+    project = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
     assert project["version"] == curvlib.__version__
     assert found["references"] == project["references"]
 
@@ -166,5 +218,6 @@ def test_nothing_half_written(tmp_path):
 
 
 def test_sums_are_what_sha256sum_writes():
-    found = parse_sums("ab12  a b.zip\ncd34 *c.zip\n\nnonsense\n")
-    assert found == {"a b.zip": "ab12", "c.zip": "cd34"}
+    """Hexadecimal digits have no case, and ./ is the folder of the list."""
+    found = parse_sums("ab12  a b.zip\ncd34 *c.zip\nEF56  ./d/e.zip\r\n\nnonsense\n")
+    assert found == {"a b.zip": "ab12", "c.zip": "cd34", "d/e.zip": "ef56"}

@@ -1,7 +1,13 @@
 """The library on disk: every value comes back bit for bit in the readers that people have."""
 
 import ctypes.util
+import doctest
+import errno
+import os
+import re
 import shutil
+import subprocess
+import sys
 
 import h5py
 import meshio
@@ -12,9 +18,9 @@ import trimesh
 from geomdl.exchange import import_json
 
 import curvlib
+from curvlib.dataset import library
 from curvlib.dataset.library import mesh_files, nurbs_file
 from curvlib.dataset.write import WRITERS, write_library, write_nurbs
-from curvlib.files import whole_file
 from curvlib.meshes.mesh import FIELDS
 
 MESHES = [("jittered-1", 8), ("same", 8), ("same", 12)]
@@ -119,7 +125,11 @@ def test_text_is_the_paper_s(written):
     rows = np.loadtxt(files[".txt"])
     same(rows, np.column_stack((mesh.vertices, mesh.K, mesh.H2)))
     assert np.isnan(rows[:, 3]).sum() == (~mesh.smooth).sum()
-    header = [line for line in files[".txt"].read_text().splitlines() if line.startswith("#")]
+    header = [
+        line
+        for line in files[".txt"].read_text(encoding="utf-8").splitlines()
+        if line.startswith("#")
+    ]
     assert header[-1] == "# x y z K H^2"
     for word in ("1/length^2", "outward normal", "NaN", "NURBS"):
         assert word in "\n".join(header)
@@ -169,6 +179,54 @@ def test_unknown_mesh(folder):
         lib.mesh("sphere", 8, "jitterd-1")
 
 
+def test_a_resolution_is_a_number(folder):
+    lib = curvlib.load_library(folder)
+    for n in ("8", None, 8.0, [8]):
+        with pytest.raises(curvlib.InputError, match=f"n is an int, not {re.escape(repr(n))}"):
+            lib.mesh("sphere", n)
+    with pytest.raises(curvlib.InputError, match="n is an int, not 'same'"):
+        lib.mesh("sphere", "same", 8)
+    assert len(lib.mesh("sphere", np.int64(8)).faces) == 112
+
+
+def test_a_library_says_what_it_has(folder):
+    lib = curvlib.load_library(folder)
+    assert repr(lib).splitlines() == [
+        "<Library of 12 meshes>",
+        f"  surfaces: {', '.join(SURFACES)}",
+        "  diagonals: jittered-1, same",
+        "  n: 8, 12",
+    ]
+    assert repr(lib.only([("sphere", "same", 8)])).startswith("<Library of 1 mesh>")
+    empty = lib.only([])
+    assert repr(empty) == "<Library of 0 meshes>"
+    with pytest.raises(curvlib.InputError, match="empty library: unknown surface"):
+        empty.mesh("sphere", 8)
+
+
+def test_asking_whether_a_mesh_is_there_reads_none(folder, monkeypatch):
+    lib = curvlib.load_library(folder)
+    monkeypatch.setattr(h5py, "File", lambda *a, **k: pytest.fail("a file was opened"))
+    assert ("sphere", "same", 8) in lib
+    assert ("sphere", "same", 9) not in lib
+
+
+def test_reading_needs_no_writer():
+    """Else a change of the PLY writer would change the digest of every estimate."""
+    code = "import sys, curvlib.dataset.library; print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = [name for name in done.stdout.split() if name.startswith("curvlib.")]
+    assert "curvlib.dataset.vtkhdf" in loaded
+    for name in ("dataset.formats", "dataset.write", "nurbs", "surfaces.sphere", "kit.compiled"):
+        assert f"curvlib.{name}" not in loaded
+
+
+def test_examples_run():
+    found = doctest.testmod(library)
+    assert found.attempted > 10
+    assert found.failed == 0
+
+
 def test_part_of_a_library(folder):
     lib = curvlib.load_library(folder)
     keys = [("sphere", "same", 12), ("cone_apex", "jittered-1", 8)]
@@ -187,17 +245,37 @@ def test_cut_off_file(folder, tmp_path, length):
 
 
 def test_no_library(tmp_path):
-    with pytest.raises(curvlib.InputError, match="no mesh library here"):
+    advice = "`curvlib fetch` gets a library, `snakemake` makes one in data/library"
+    with pytest.raises(curvlib.InputError, match=f"{tmp_path}: no mesh library here; {advice}"):
         curvlib.load_library(tmp_path)
-    with pytest.raises(curvlib.InputError, match="no mesh library here"):
+    with pytest.raises(curvlib.InputError, match=rf"none\.vtkhdf: no such file; {advice}"):
         curvlib.load_library(tmp_path / "none.vtkhdf")
-    (tmp_path / "other.zip").write_bytes(b"PK")
-    with pytest.raises(curvlib.InputError, match="cut off or no zip file"):
-        curvlib.load_library(tmp_path / "other.zip")
+    (tmp_path / "curvature-library-1.zip").write_bytes(b"PK")
+    with pytest.raises(
+        curvlib.InputError, match=r"1\.zip: cut off or no zip file; get the archive"
+    ):
+        curvlib.load_library(tmp_path / "curvature-library-1.zip")
+    with pytest.raises(
+        curvlib.InputError, match=r"x\.zip: no such file; did you mean .*-1\.zip'\?"
+    ):
+        curvlib.load_library(tmp_path / "x.zip")
     with h5py.File(tmp_path / "a.same.008.vtkhdf", "w"):
         pass
-    with pytest.raises(curvlib.InputError, match=r"a\.same\.008\.vtkhdf: not a mesh of a library"):
+    with pytest.raises(curvlib.InputError, match=r"a\.same\.008\.vtkhdf: not the expected data"):
         curvlib.load_library(tmp_path / "a.same.008.vtkhdf").mesh("a", 8)
+
+
+def test_the_home_folder(folder, monkeypatch):
+    monkeypatch.setenv("HOME", str(folder.parent))
+    assert len(curvlib.load_library(f"~/{folder.name}")) == 12
+
+
+def test_a_file_with_faces_of_no_vertex_is_named(folder, tmp_path):
+    path = shutil.copy(folder / "sphere/sphere.same.008.vtkhdf", tmp_path)
+    with h5py.File(path, "r+") as file:
+        file["VTKHDF/Polygons/Connectivity"][5] = 1000
+    with pytest.raises(curvlib.InputError, match=r"008\.vtkhdf: not the expected data \(faces: "):
+        curvlib.load_library(path).mesh("sphere", 8)
 
 
 def test_nothing_half_written(tmp_path, monkeypatch):
@@ -210,9 +288,51 @@ def test_nothing_half_written(tmp_path, monkeypatch):
         write_library(curvlib.surface("sphere"), [("same", 8)], tmp_path)
     names = sorted(p.name for p in tmp_path.rglob("*") if p.is_file())
     assert names == ["sphere.same.008.ply", "sphere.same.008.vtkhdf"]
-    (tmp_path / "kept").write_text("before")
-    with pytest.raises(RuntimeError), whole_file(tmp_path / "kept") as part:
-        part.write_text("half")
-        raise RuntimeError
-    assert not list(tmp_path.glob("*.part"))
-    assert (tmp_path / "kept").read_text() == "before"
+
+
+def test_a_killed_run_leaves_no_mesh_of_the_library(folder, tmp_path):
+    copy = shutil.copytree(folder / "sphere", tmp_path / "sphere")
+    left = copy / "sphere.same.024.vtkhdf.x1y2z3.part"
+    left.mkdir()
+    (left / "sphere.same.024.vtkhdf").write_bytes(b"half")
+    assert list(curvlib.load_library(tmp_path)) == [("sphere", *mesh) for mesh in MESHES]
+
+
+@pytest.mark.parametrize("kind", WRITERS)
+def test_a_full_disk_is_one_line(tmp_path, monkeypatch, kind):
+    """The system gives no room for what is written to the file of this kind."""
+
+    def full(file, *rest):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    target = "curvlib.files.Path.write_bytes" if kind == ".vtkhdf" else "builtins.open"
+    write = WRITERS[kind]
+
+    def write_on_full_disk(*arguments):
+        with monkeypatch.context() as full_disk:
+            full_disk.setattr(target, full)
+            write(*arguments)
+
+    monkeypatch.setitem(WRITERS, kind, write_on_full_disk)
+    path = tmp_path / f"sphere/sphere.same.008{kind}"
+    with pytest.raises(curvlib.InputError) as raised:
+        write_library(curvlib.surface("sphere"), [("same", 8)], tmp_path)
+    assert str(raised.value) == f"{path}: No space left on device"
+    written = {p.suffix for p in tmp_path.rglob("*") if p.is_file()}
+    assert written == set(list(WRITERS)[: list(WRITERS).index(kind)])
+    assert not list(tmp_path.rglob("*.part"))
+
+
+def test_a_label_on_several_lines_breaks_no_header(tmp_path):
+    surface = curvlib.surface("sphere")
+    surface.label = 'Sphere\n "\\" é'
+    write_library(surface, [("same", 8)], tmp_path)
+    mesh = curvlib.tessellate(surface, 8)
+    vtkhdf, ply, text = (tmp_path / file for file in mesh_files("sphere", "same", 8))
+    same(meshio.read(ply).points, mesh.vertices)
+    same(np.loadtxt(text)[:, 3], mesh.K)
+    for path in (ply, text):
+        head = path.read_bytes().split(b"x y z")[0].decode("utf-8", errors="replace")
+        assert 'surface: Sphere "\\" é (sphere)\n' in head
+    with h5py.File(vtkhdf) as file:
+        assert file.attrs["surface"] == 'Sphere\n "\\" é (sphere)'

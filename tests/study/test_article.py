@@ -1,6 +1,10 @@
 """The article: no number in its text is typed by hand, and none that is missing goes unnoticed."""
 
+import csv
+import errno
+import io
 import json
+import os
 import re
 from itertools import chain
 from pathlib import Path
@@ -317,3 +321,35 @@ def test_a_changed_table_changes_the_article(shown):
 def test_a_mistake_in_the_source_is_shown_where_it_is(shown):
     with pytest.raises(InputError, match=r"unknown variable: slop[\s\S]*small\.typ:2"):
         shown('slop("sphere")')
+
+
+def test_excerpts_are_the_rows_wanted_whatever_is_quoted(tmp_path):
+    """A comma, a quote or a line break in an earlier column cuts no row."""
+    rows = [
+        ["reading", "sentence", "norm", "diagonal"],
+        ["a", 'best, "always"', "mean", "same"],
+        ["b, c", "two\nlines", "mean", "same"],
+        ["mean", "same", "max", "same"],
+        ["d", "", "mean", "shortest"],
+    ]
+    with (tmp_path / "errors.csv").open("w", newline="", encoding="utf-8") as file:
+        csv.writer(file).writerows(rows)
+    found = excerpts(tmp_path, {"errors": {"norm": ["mean"], "diagonal": ["same", "random-1"]}})
+    assert list(csv.reader(io.StringIO(found["errors"]))) == rows[:3]
+
+
+def test_the_article_is_written_whole_or_not_at_all(tmp_path, monkeypatch):
+    source, output = tmp_path / "small.typ", tmp_path / "small.pdf"
+    source.write_text("Text.", encoding="utf-8")
+    typeset(source, output, tmp_path)
+    made = output.read_bytes()
+    assert made.startswith(b"%PDF")
+
+    def full(path, data):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    with pytest.raises(InputError, match=r"small\.pdf: No space left on device"):
+        typeset(source, output, tmp_path)
+    assert output.read_bytes() == made
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["small.pdf", "small.typ"]

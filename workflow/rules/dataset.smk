@@ -1,5 +1,5 @@
-# In: the meshes of the study, the surfaces, templates of what describes them.
-# Out: one archive of all that, and its hash. Not part of `all`.
+# In: the meshes of the study, the surfaces, templates of their description.
+# Out: one archive of all of these, and its hash. Not part of `all`.
 from curvlib import __version__
 from curvlib.dataset.library import nurbs_file
 

@@ -1,4 +1,4 @@
-# In: a surface's file. Out: its meshes with exact curvature, each as VTKHDF, PLY and text.
+# In: the file of a surface. Out: its meshes with exact curvature, each as VTKHDF, PLY and text.
 
 
 rule library:

@@ -1,4 +1,4 @@
-"""Pack the library, and what describes it, into one archive."""
+"""Pack the library and its description into one archive."""
 
 import re
 from pathlib import Path
@@ -11,6 +11,7 @@ from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     files, params = snakemake.input, snakemake.params
+    citation = Path(files.citation).read_text(encoding="utf-8")
     members = {str(Path(f).relative_to(params.folder)): Path(f) for f in files.files + files.nurbs}
     described = describe(
         files.templates,
@@ -19,7 +20,7 @@ with logged(snakemake.log[0]):
         {name: surfaces.module(file).LABEL for name, file in params.surfaces.items()},
         name=Path(snakemake.output.archive).stem,
         version=params.version,
-        released=re.search(r"^date-released: (.*)$", Path(files.citation).read_text(), re.M)[1],
+        released=re.search(r"^date-released: (.*)$", citation, re.M)[1],
     )
     texts = {"LICENSE": Path(files.licence), "requirements.lock": Path(files.versions)}
     write_archive(snakemake.output.archive, members | texts | described)

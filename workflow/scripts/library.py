@@ -1,4 +1,4 @@
-"""Tessellate one surface in all ways and write its part of the library."""
+"""Tessellate one surface in every way and write its meshes into the library."""
 
 from curvlib.dataset.write import write_library
 from curvlib.study.job import logged
