@@ -11,8 +11,8 @@ from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     files, params = snakemake.input, snakemake.params
-    citation = Path(files.citation).read_text(encoding="utf-8")
     members = {str(Path(f).relative_to(params.folder)): Path(f) for f in files.files + files.nurbs}
+    citation = Path(files.citation).read_text(encoding="utf-8")
     described = describe(
         files.templates,
         members,
