@@ -1,4 +1,4 @@
-"""What the archive says of itself: the table of its meshes, and texts filled with numbers."""
+"""The description of an archive: the table of its meshes, and texts with its numbers."""
 
 import hashlib
 import json

@@ -5,7 +5,7 @@ import sys
 from contextlib import contextmanager, suppress
 from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
-from urllib.parse import urljoin, urlsplit
+from urllib.parse import urlsplit
 
 from curvlib.errors import InputError
 from curvlib.files import DAMAGED, no_such_file, open_archive
@@ -43,7 +43,7 @@ def fetch(source: str | os.PathLike, folder: str | os.PathLike = ".") -> Path:
     target = folder / name.removesuffix(".zip")
     with _scratch(folder, target.name) as scratch:
         if remote:
-            expected = _listed(_download(urljoin(source, SUMS), scratch), name, source)
+            expected = _listed(_download(_beside(source), scratch), name, source)
             _check_free(target)  # Before a download of minutes.
             archive = _download(source, scratch, expected)
         else:
@@ -51,7 +51,7 @@ def fetch(source: str | os.PathLike, folder: str | os.PathLike = ".") -> Path:
             expected = _listed(_existing(archive.with_name(SUMS)), name, source)
             if file_hash(archive) != expected:
                 raise _changed(source, expected)
-            _check_free(target)  # Only now: nobody removes a folder for a damaged archive.
+            _check_free(target)  # After the hash: a damaged archive must not cost a good folder.
         _unpack(archive, source, target.name, scratch)
         Path(scratch, target.name).rename(target)
     return target
@@ -94,6 +94,13 @@ def _listed(sums, name, source):
     if name not in listed:
         raise InputError(f"{source}: {SUMS} beside it does not list {name}")
     return listed[name]
+
+
+def _beside(url):
+    """The URL of SHA256SUMS in the folder of another file."""
+    parts = urlsplit(url)
+    path = str(PurePosixPath(parts.path).with_name(SUMS))
+    return parts._replace(path=path, query="", fragment="").geturl()
 
 
 def _changed(source, sha256):
