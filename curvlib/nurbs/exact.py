@@ -30,10 +30,10 @@ def side(breaks, closed, t, above):
 
 
 @compiled
-def derivatives(pieces, span_u, u, span_v, v):
+def derivatives(polynomials, span_u, u, span_v, v):
     """S, S_u, S_v, S_uu, S_uv, S_vv of the named spans."""
-    coefficients = pieces.coefficients[span_u, span_v]
-    x, y = u - pieces.centres_u[span_u], v - pieces.centres_v[span_v]
+    coefficients = polynomials.coefficients[span_u, span_v]
+    x, y = u - polynomials.centres_u[span_u], v - polynomials.centres_v[span_v]
     A = A_u = A_v = A_uu = A_uv = A_vv = (0.0, 0.0, 0.0, 0.0)
     for i in range(len(coefficients) - 1, -1, -1):
         f = f_v = f_vv = (0.0, 0.0, 0.0, 0.0)
@@ -54,7 +54,7 @@ def derivatives(pieces, span_u, u, span_v, v):
     S_uu = divide(add(add(A_uu, -w_u, S_u), -w_uu, S), w / 2)
     S_vv = divide(add(add(A_vv, -w_v, S_v), -w_vv, S), w / 2)
     S_uv = divide(add(add(add(A_uv, -w_u, S_v), -w_v, S_u), -w_uv, S), w)
-    S = add(S, 1, at(pieces.origins.T, span_v, span_u))
+    S = add(S, 1, at(polynomials.origins.T, span_v, span_u))
     return S, S_u, S_v, S_uu, S_uv, S_vv
 
 
@@ -65,32 +65,33 @@ def _horner(p, x, q):
 
 
 @compiled
-def points(pieces, closed, u, v):
+def points(polynomials, closed, u, v):
     """S, (m, 3)."""
     out = np.empty((len(u), 3))
     for k in range(len(u)):
-        span_u, x = side(pieces.breaks_u, closed[0], u[k], True)
-        span_v, y = side(pieces.breaks_v, closed[1], v[k], True)
-        # Of the derivatives nothing is computed, since nothing is used.
-        S = derivatives(pieces, span_u, x, span_v, y)[0]
+        span_u, x = side(polynomials.breaks_u, closed[0], u[k], True)
+        span_v, y = side(polynomials.breaks_v, closed[1], v[k], True)
+        # Only S is used; the compiler drops the rest.
+        S = derivatives(polynomials, span_u, x, span_v, y)[0]
         out[k, 0], out[k, 1], out[k, 2] = S
     return out
 
 
 @compiled
-def curvatures(pieces, closed, size, u, v, above_u, above_v):
-    """K, H, k1 and k2, (4, m), and d1, d2 and the normal, (3, m, 3), on the named sides of the
-    points; NaN where the surface is singular there.
+def curvatures(polynomials, closed, size, u, v, above_u, above_v):
+    """K, H, k1 and k2, (4, m), and d1, d2, the normal and S, each (m, 3), on the named sides of
+    the points; NaN, but for S, where the surface is singular there.
 
     The second fundamental form is taken in the orthonormal frame of S_u / |S_u| and
     n x S_u / |S_u|: there k1 - k2 is a length, exact also where k1 = k2.
     """
     m = len(u)
-    numbers, vectors = np.empty((4, m)), np.empty((3, m, 3))
+    numbers = np.empty((4, m))
+    d1, d2, normal, point = np.empty((m, 3)), np.empty((m, 3)), np.empty((m, 3)), np.empty((m, 3))
     for k in range(m):
-        span_u, x = side(pieces.breaks_u, closed[0], u[k], above_u)
-        span_v, y = side(pieces.breaks_v, closed[1], v[k], above_v)
-        _, S_u, S_v, S_uu, S_uv, S_vv = derivatives(pieces, span_u, x, span_v, y)
+        span_u, x = side(polynomials.breaks_u, closed[0], u[k], above_u)
+        span_v, y = side(polynomials.breaks_v, closed[1], v[k], above_v)
+        S, S_u, S_v, S_uu, S_uv, S_vv = derivatives(polynomials, span_u, x, span_v, y)
         n = cross(S_u, S_v)
         area, p = norm(n), norm(S_u)
         n = divide(n, area if area > 1e-13 * p * norm(S_v) else math.nan)
@@ -102,10 +103,10 @@ def curvatures(pieces, closed, size, u, v, above_u, above_v):
         values, directions = principal(a, b, c, divide(S_u, p), n, size)
         for i in range(4):
             numbers[i, k] = values[i]
-        for i in range(3):
-            for j in range(3):
-                vectors[i, k, j] = directions[i][j]
-    return numbers, vectors
+        for j in range(3):
+            d1[k, j], d2[k, j], normal[k, j] = directions[0][j], directions[1][j], directions[2][j]
+            point[k, j] = S[j]
+    return numbers, (d1, d2, normal, point)
 
 
 @compiled

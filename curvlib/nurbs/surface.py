@@ -1,182 +1,298 @@
 """A NURBS surface with its exact curvature: everywhere, at poles, on seams and knot lines."""
 
 import itertools
-from collections import namedtuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from curvlib.errors import InputError
 
-from .patches import Patches
-
-Curvature = namedtuple("Curvature", "K H k1 k2 d1 d2 smooth normal")
-Curvature.__doc__ = """Exact curvature at points of a surface, pointwise.
-
-K, H and k1 >= k2 (...), d1 and d2 (..., 3) unit: the directions of k1 and k2, smooth (...)
-bool: the surface is C^2 there, normal (..., 3) unit. H > 0 where the surface bends away from
-its normal. d1, d2 and the normal are right-handed; d1 and -d1 are the same direction. Where
-k1 = k2 to rounding (umbilics), d1 and d2 are NaN. Where the one-sided values differ, all but
-the normal are NaN and smooth is False; the normal is NaN only where the normals differ.
-"""
+from .net import Net
+from .polynomials import expand
 
 # One-sided values that agree to this, relative to the largest curvature, are one value; the
 # normals of Newell's teapot agree across its seams only to the 1e-8 or so of its rounded net.
 AGREE = 1e-9
 AGREE_NORMAL = 1e-6
+AGREE_ROUNDED = 10.0
 
-POLE_MERIDIANS = 7  # per knot span; three determine the form, the others test it
+
+class Curvature(NamedTuple):
+    """Exact curvature at points of a surface, pointwise.
+
+    H > 0 where the surface bends away from its normal: the unit sphere with its normal outward
+    has K = H = 1. On knot lines and seams the values of all sides have to agree, at a pole those
+    of all meridians; where they do not, all but `normal` and `point` are NaN.
+
+    Attributes
+    ----------
+    K : ndarray, shape (...)
+        Gaussian curvature k1 k2, in 1 / length^2.
+    H : ndarray, shape (...)
+        Mean curvature (k1 + k2) / 2, in 1 / length.
+    k1, k2 : ndarray, shape (...)
+        Principal curvatures, k1 >= k2, in 1 / length.
+    d1, d2 : ndarray, shape (..., 3)
+        Unit directions of k1 and k2, right-handed with `normal`; d1 and -d1 are the same
+        direction. NaN at umbilics, where k1 = k2 to rounding.
+    smooth : ndarray of bool, shape (...)
+        Whether the surface is C^2 there.
+    normal : ndarray, shape (..., 3)
+        Unit normal, along S_u x S_v; NaN where the normals of the sides differ.
+    point : ndarray, shape (..., 3)
+        S(u, v), in the unit of the control points.
+    """
+
+    K: np.ndarray
+    H: np.ndarray
+    k1: np.ndarray
+    k2: np.ndarray
+    d1: np.ndarray
+    d2: np.ndarray
+    smooth: np.ndarray
+    normal: np.ndarray
+    point: np.ndarray
 
 
 class Surface:
-    """A NURBS surface S(u, v), its normal along S_u x S_v.
+    """A NURBS surface S(u, v) with its exact curvature.
 
-    `model` is the geomdl surface, `name` and `label` are its names in files and in legends,
-    `domain` is ((u0, u1), (v0, v1)), `closed` tells for u and for v whether the two ends meet
-    in a seam.
+    Parameters
+    ----------
+    model : geomdl.NURBS.Surface or geomdl.BSpline.Surface
+        Control points in three dimensions, positive weights (without any they are one), and
+        knots, clamped or not: the domain of degree p and knots U is [U_p, U_-p-1].
+    name, label : str, optional
+        Its names in files and messages, and in legends.
+
+    Attributes
+    ----------
+    domain : tuple
+        ((u0, u1), (v0, v1)).
+    breaks : tuple of ndarray
+        The distinct knots of u and of v inside the domain, ends included.
+    closed : tuple of bool
+        For u and for v, whether both ends of the domain are the same curve, a seam. It is found
+        on the surface, so that weights count and knots need not be clamped.
+
+    Raises
+    ------
+    InputError
+        For a model that is not complete, is trimmed, torn by a knot, has weights that are not
+        positive, or lies so far from the origin that rounding leaves no curvature.
+
+    Notes
+    -----
+    Between knots a surface is a quotient of polynomials, and its derivatives are exact but for
+    rounding. The formulas are those of do Carmo, Differential Geometry of Curves and Surfaces
+    (1976), section 3.3; the domain is de Boor's, A Practical Guide to Splines (1978).
+
+    Examples
+    --------
+    >>> from geomdl import BSpline
+    >>> import curvlib
+    >>> model = BSpline.Surface()
+    >>> model.degree_u = model.degree_v = 1
+    >>> model.set_ctrlpts([[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 1]], 2, 2)
+    >>> model.knotvector_u = model.knotvector_v = [0, 0, 1, 1]
+    >>> saddle = curvlib.Surface(model, "saddle")
+    >>> saddle.domain
+    ((0.0, 1.0), (0.0, 1.0))
+    >>> float(saddle.curvature(0, 0).K)
+    -1.0
     """
 
     def __init__(self, model, name: str = "", label: str = ""):
         self.model, self.name, self.label = model, name, label or name
-        self._patches = Patches(model)
-        self.closed = self._patches.closed
-        self.domain = tuple((float(b[0]), float(b[-1])) for b in self._patches.breaks)
-        self._poles = {edge: self._pole(*edge) for edge in self._patches.poles}
+        self._net = Net(model, f"surface {name!r}")
+        self._polynomials = expand(self._net)
+        self._agree = AGREE + AGREE_ROUNDED * self._net.rounding
+        self.closed = self._net.closed
+        self.breaks = self._polynomials[:2]
+        self.domain = tuple((float(b[0]), float(b[-1])) for b in self.breaks)
+        self._poles = {}
+        if self._net.poles:
+            from .poles import at_pole
+
+            for edge in self._net.poles:
+                self._poles[edge] = at_pole(
+                    self._net, self._polynomials, *edge, self._agree, AGREE_NORMAL
+                )
 
     def __repr__(self):
         return f"<Surface {self.name!r}, domain {self.domain}>"
 
     def has_pole(self, axis: int, end: int) -> bool:
-        """Whether the line u = const (axis 0) or v = const (axis 1) at that end, 0 or -1, is
-        a single point."""
+        """Whether an edge of the domain is a single point.
+
+        Parameters
+        ----------
+        axis : {0, 1}
+            The edge u = const (0) or v = const (1).
+        end : {0, -1}
+            Its lower or upper end.
+        """
         return (axis, end) in self._poles
 
-    def point(self, u, v):
-        """S(u, v), shape (..., 3); u, v broadcast. InputError outside the domain."""
+    def point(self, u: ArrayLike, v: ArrayLike) -> np.ndarray:
+        """Points S(u, v).
+
+        Parameters
+        ----------
+        u, v : array_like
+            Parameters inside the domain; they broadcast.
+
+        Returns
+        -------
+        ndarray, shape (..., 3)
+            In the unit of the control points.
+
+        Raises
+        ------
+        InputError
+            Outside the domain by more than rounding, and for what does not broadcast.
+
+        Examples
+        --------
+        >>> import curvlib
+        >>> curvlib.surface("cylinder").point([0, 0.25], 0.5).round(12)
+        array([[1., 0., 0.],
+               [0., 1., 0.]])
+        """
         from . import exact
 
         (u, v), shape = self._arguments(u, v)
-        return exact.points(self._patches.pieces, self.closed, u, v).reshape(*shape, 3)
+        return exact.points(self._polynomials, self.closed, u, v).reshape(*shape, 3)
 
-    def normal(self, u, v):
-        """Unit normal, shape (..., 3); NaN where the one-sided normals differ."""
+    def normal(self, u: ArrayLike, v: ArrayLike) -> np.ndarray:
+        """Unit normals along S_u x S_v, shape (..., 3).
+
+        Parameters and errors as of `point`; NaN where the normals of the sides of a knot line
+        or seam differ, and at a pole without a tangent plane.
+
+        Examples
+        --------
+        >>> import curvlib
+        >>> curvlib.surface("sphere").normal(0, [0, 0.5]).round(12)
+        array([[ 0.,  0., -1.],
+               [ 1.,  0.,  0.]])
+        """
         return self.curvature(u, v).normal
 
-    def curvature(self, u, v) -> Curvature:
-        """Exact curvature from second derivatives; u, v broadcast. InputError outside the domain.
+    def curvature(self, u: ArrayLike, v: ArrayLike) -> Curvature:
+        """Exact curvature, from second derivatives.
 
-        On knot lines and seams the values of all sides have to agree; at a pole those of all
-        meridians.
+        Parameters
+        ----------
+        u, v : array_like
+            Parameters inside the domain; they broadcast.
+
+        Returns
+        -------
+        Curvature
+            K, H, k1, k2, d1, d2, smooth, normal, point, of the broadcast shape. On knot lines
+            and seams the values of all sides have to agree, at a pole those of all meridians;
+            else they are NaN and `smooth` is False.
+
+        Raises
+        ------
+        InputError
+            Outside the domain by more than rounding, and for what does not broadcast.
+
+        Examples
+        --------
+        >>> import curvlib
+        >>> sphere = curvlib.surface("sphere").curvature(0.1, [0, 0.3])
+        >>> sphere.K.round(12), sphere.H.round(12), sphere.smooth
+        (array([1., 1.]), array([1., 1.]), array([ True,  True]))
+        >>> bool(curvlib.surface("cone_apex").curvature(0.1, 1).smooth)
+        False
         """
         (u, v), shape = self._arguments(u, v)
-        numbers, vectors = self._one_sided(u, v, True, True)
-        smooth, one_normal = np.isfinite(numbers[0]), np.isfinite(vectors[2, :, 0])
+        numbers, frame = self._one_sided(u, v, True, True)
+        d1, d2, normal, point = frame
+        smooth = np.isfinite(numbers[0])
         on_joint = np.flatnonzero(self._on_joint(0, u) | self._on_joint(1, v))
         if len(on_joint):
             sides = itertools.product((False, True), repeat=2)
             sides = [self._one_sided(u[on_joint], v[on_joint], *side) for side in sides]
-            smooth[on_joint], one_normal[on_joint] = self._agree(*zip(*sides))
-        for (axis, end), (pole_numbers, pole_vectors) in self._poles.items():
-            here = (u, v)[axis] == self.domain[axis][end]
-            if here.any():
-                numbers[:, here], vectors[:, here] = pole_numbers[:, None], pole_vectors[:, None]
-                smooth[here] = np.isfinite(pole_numbers[0])
-                one_normal[here] = np.isfinite(pole_vectors[2, 0])
-        numbers[:, ~smooth], vectors[:2, ~smooth] = np.nan, np.nan
-        vectors[2, ~one_normal] = np.nan
-        d1, d2, normal = vectors.reshape(3, *shape, 3)
+            same, same_normal = self._same(*map(np.array, zip(*sides)))
+            rough = on_joint[~same]
+            numbers[:, rough], d1[rough], d2[rough], smooth[rough] = np.nan, np.nan, np.nan, False
+            normal[on_joint[~same_normal]] = np.nan
+        for (axis, end), (pole_numbers, pole_frame) in self._poles.items():
+            here = np.flatnonzero((u, v)[axis] == self.domain[axis][end])
+            numbers[:, here], smooth[here] = pole_numbers[:, None], np.isfinite(pole_numbers[0])
+            d1[here], d2[here], normal[here] = pole_frame
         numbers = numbers.reshape(4, *shape)
-        return Curvature(*numbers, d1, d2, smooth.reshape(shape), normal)
+        d1, d2, normal, point = (a.reshape(*shape, 3) for a in frame)
+        return Curvature(*numbers, d1, d2, smooth.reshape(shape), normal, point)
 
     def _arguments(self, u, v):
-        u, v = np.broadcast_arrays(np.asarray(u, float), np.asarray(v, float))
-        for letter, t, (low, high) in zip("uv", (u, v), self.domain):
-            outside = ~((t >= low) & (t <= high))
-            if outside.any():
-                raise InputError(
-                    f"{letter} = {t[outside][0]:g} lies outside the domain [{low:g}, {high:g}] "
-                    f"of surface {self.name!r}"
-                )
-        return (u.ravel(), v.ravel()), u.shape
+        """u and v as flat arrays inside the domain, and the shape that they broadcast to."""
+        u, v = _numbers("u", u), _numbers("v", v)
+        try:
+            u, v = np.broadcast_arrays(u, v)
+        except ValueError:
+            raise InputError(
+                f"u and v of shapes {u.shape} and {v.shape} do not broadcast"
+            ) from None
+        arguments = []
+        for letter, t, (low, high) in zip("uv", (u.ravel(), v.ravel()), self.domain):
+            if not ((t >= low) & (t <= high)).all():
+                near = 4 * np.spacing(max(abs(low), abs(high)))
+                outside = ~((t >= low - near) & (t <= high + near))
+                if outside.any():
+                    raise InputError(
+                        f"{letter} = {float(t[outside][0])!r} lies outside the domain "
+                        f"[{low!r}, {high!r}] of surface {self.name!r}"
+                    )
+                t = t.clip(low, high)
+            arguments.append(t)
+        return arguments, u.shape
 
     def _on_joint(self, axis, t):
         """Whether more than one piece meets at every parameter t."""
-        breaks = self._patches.breaks[axis]
+        breaks = self.breaks[axis]
         joint = np.zeros(t.shape, dtype=bool)
         for line in breaks if self.closed[axis] else breaks[1:-1]:
             joint |= t == line
         return joint
 
-    def _agree(self, numbers, vectors):
-        """Whether curvatures, and whether normals, of all sides are the same."""
-        K, H, k1, k2 = np.stack(numbers, axis=1)
-        one_normal = np.ptp(np.stack(vectors)[:, 2], axis=0).max(1) <= AGREE_NORMAL
-        scale = np.maximum(np.abs((k1, k2)).max((0, 1)), 1 / self._patches.size)
-        same_K = np.ptp(K, axis=0) <= AGREE * scale * scale
-        same_H = np.ptp(H, axis=0) <= AGREE * scale
-        return same_K & same_H & one_normal, one_normal
+    def _same(self, numbers, frame):
+        """Whether all values (sides, 4, m), and whether the normals, of all sides are the same.
+
+        Along a joint with a common normal n, II(t, .) = -dn(t) is common for its tangent t, and
+        the trace 2 H gives the rest. Pieces may share the normal at this point alone, and then K
+        and H with different forms, so that the forms k1 d1 d1^T + k2 d2 d2^T are compared, too.
+        """
+        K, H, k1, k2 = numbers.swapaxes(0, 1)
+        d1, _, n, _ = frame.swapaxes(0, 1)[..., None]
+        one_normal = np.ptp(n, axis=0).max((1, 2)) <= AGREE_NORMAL
+        scale = np.maximum(np.abs((k1, k2)).max((0, 1)), 1 / self._net.size)
+        same_K = np.ptp(K, axis=0) <= self._agree * scale * scale
+        same_H = np.ptp(H, axis=0) <= self._agree * scale
+        # At umbilics d1 is NaN, and k1 - k2 is zero.
+        d1 = np.nan_to_num(d1)
+        gap, k2 = (k1 - k2)[..., None, None], k2[..., None, None]
+        form = gap * d1 * d1.mT + k2 * (np.eye(3) - n * n.mT)
+        same_form = np.ptp(form, axis=0).max((1, 2)) <= AGREE_NORMAL * scale
+        return same_K & same_H & same_form & one_normal, one_normal
 
     def _one_sided(self, u, v, above_u, above_v):
-        """K, H, k1, k2 (4, m) and d1, d2, the normal (3, m, 3) of one side of every point; NaN
-        at a singular one."""
+        """K, H, k1, k2 (4, m) and d1, d2, normal, point (m, 3) of one side of every point."""
         from . import exact
 
-        pieces, size = self._patches.pieces, self._patches.size
-        return exact.curvatures(pieces, self.closed, size, u, v, above_u, above_v)
-
-    def _pole(self, axis, end):
-        """As `_one_sided`, (4,) and (3, 3), at a pole; NaN where the surface is not C^2 (not
-        C^1) there.
-
-        Every meridian passes through the pole, so each gives II(d, d) = S_vv . n in its own
-        direction d = S_v; all of them together have to be one quadratic form.
-        """
-        from . import exact
-
-        breaks = self._patches.breaks[1 - axis]
-        steps = np.arange(1, POLE_MERIDIANS + 1) / (POLE_MERIDIANS + 1)
-        around = (breaks[:-1, None] + np.diff(breaks)[:, None] * steps).ravel()
-        edge = np.full_like(around, self.domain[axis][end])
-        u, v = (edge, around) if axis == 0 else (around, edge)
-        # No seam is crossed, not even where a pole lies at both ends of closed meridians.
-        sides = [
-            [exact.side(b, False, x, True) for x in t] for b, t in zip(self._patches.breaks, (u, v))
-        ]
-        S = [exact.derivatives(self._patches.pieces, *a, *b) for a, b in zip(*sides)]
-        S = np.moveaxis(S, 0, 1)
-        along, second = (S[1], S[3]) if axis == 0 else (S[2], S[5])
-        # S_uv x S_v is outward where v leaves the pole, S_u x S_uv where u does.
-        across = S[4] if (axis == 1) == (end == 0) else -S[4]
-        return _from_meridians(along, second, across, self._patches.size)
+        polynomials, size = self._polynomials, self._net.size
+        return exact.curvatures(polynomials, self.closed, size, u, v, above_u, above_v)
 
 
-def _from_meridians(along, second, across, size):
-    """Pole values from the first (m, 3) and second derivatives along the meridians through it,
-    and the derivative `across` them of the first, signed so that across x along is outward."""
-    from curvlib.kit.fit import least_squares
-
-    from . import exact
-
-    numbers, vectors = np.full(4, np.nan), np.full((3, 3), np.nan)
-    speed = np.sqrt(_dot(along, along))
-    if not (speed > 1e-12 * size).all():
-        return numbers, vectors
-    d = along / speed[:, None]
-    n = np.cross(across, along).sum(0)
-    with np.errstate(invalid="ignore"):
-        n /= np.sqrt(_dot(n, n))
-    if np.abs(_dot(d, n)).max() > AGREE_NORMAL:
-        return numbers, vectors
-    e1 = d[0] - n * _dot(n, d[0])
-    e1 /= np.sqrt(_dot(e1, e1))
-    x, y, kn = _dot(d, e1), _dot(d, np.cross(n, e1)), -_dot(second, n) / (speed * speed)
-    columns = np.array([x * x, 2 * x * y, y * y, kn])
-    form = least_squares(columns[:, :, None].copy())[:, 0]
-    residual = np.abs(form @ columns[:3] - kn).max()
-    if residual <= AGREE * max(np.abs(kn).max(), 1 / size):
-        numbers, vectors = map(np.array, exact.principal(*form, tuple(e1), tuple(n), size))
-    vectors[2] = n
-    return numbers, vectors
-
-
-def _dot(a, b):
-    return (a * b).sum(-1)
+def _numbers(letter, t):
+    try:
+        t = np.asarray(t)
+        if t.dtype.kind in "biufO":
+            return t.astype(float, copy=False)
+    except (TypeError, ValueError):
+        pass
+    raise InputError(f"{letter}: {t!r} is not a number or an array of numbers")

@@ -22,39 +22,68 @@ def check_resolution(n, where: str = "") -> None:
 
 def check_cut(key, where: str = "") -> None:
     """Raise InputError unless `key` is a diagonal, or a random one and its seed: `random-3`."""
-    diagonal, _, seed = str(key).partition("-")
+    diagonal, dash, seed = str(key).partition("-")
     check_name("diagonal", diagonal, DIAGONALS, where)
-    if seed and not (seed.isdigit() and diagonal in SEEDED):
+    if dash and not (seed.isascii() and seed.isdecimal() and diagonal in SEEDED):
         place = f"{where}: " if where else ""
         raise InputError(f"{place}{key!r}: a seed is a number, after {' or '.join(SEEDED)} alone")
 
 
 def tessellate(surface: Surface, n: int, diagonal: str = "same", seed: int = 0) -> Mesh:
-    """A mesh of n x n cells uniform in (u, v), cut in two, with exact values at its vertices.
+    """A triangle mesh of a surface, with exact values at its vertices.
 
-    Seams are welded, a pole is one vertex and its cells are single triangles: 2 n^2 triangles,
-    less n per pole. Faces turn like S_u x S_v. A vertex on a seam or pole has the lowest of its
-    parameters as `uv`.
+    The grid has n x n cells uniform in (u, v), each cut in two. Seams are welded, a pole is one
+    vertex and its cells are single triangles: 2 n^2 triangles, less n per pole. Faces turn like
+    S_u x S_v.
 
-    `diagonal`: "same" joins (u_i, v_j) to (u_i+1, v_j+1) in every cell, "alternate" changes
-    from cell to cell like a chessboard, "shortest" takes the shorter one in space (equal ones
-    as "same"), "random" draws with `seed`; "jittered" moves every grid point by up to JITTER
-    cells, drawn with `seed` (on the boundary along it), and triangulates by Delaunay in the
-    parameter domain. "random-3" is "random" with seed 3.
+    Parameters
+    ----------
+    surface : Surface
+        Of `curvlib.surface`, or one's own.
+    n : int
+        Cells along u and along v, at least 3.
+    diagonal : str, optional
+        "same" joins (u_i, v_j) to (u_i+1, v_j+1) in every cell, "alternate" changes from cell to
+        cell like a chessboard, "shortest" takes the shorter one in space (equal ones as "same"),
+        "random" draws; "jittered" draws a move of up to JITTER cells for every grid point (on the
+        boundary along it) and triangulates by Delaunay in the parameter domain. "random-3" is
+        "random" with seed 3.
+    seed : int, optional
+        Of "random" and "jittered", where `diagonal` names none.
 
-    Raises InputError for a resolution below 3 or not an integer, and for an unknown diagonal.
+    Returns
+    -------
+    Mesh
+        `vertices` in the unit of the surface, `faces`, `uv` (on a seam or pole the lowest of
+        its parameters), and the fields of `Curvature` (its `normal` is `normals`), pointwise, NaN
+        where the surface is not C^2; `pole` (V,) bool.
+
+    Raises
+    ------
+    InputError
+        For a resolution below 3 or not an integer, an unknown diagonal, and a bad seed.
+
+    Examples
+    --------
+    >>> import curvlib
+    >>> mesh = curvlib.tessellate(curvlib.surface("sphere"), 8)
+    >>> mesh
+    <Mesh of 58 vertices, 112 faces>
+    >>> mesh.K.round(12).min(), mesh.H.round(12).max()
+    (np.float64(1.0), np.float64(1.0))
     """
     check_resolution(n)
     check_cut(diagonal)
+    if not isinstance(seed, Integral) or seed < 0:
+        raise InputError(f"seed {seed!r} is not an integer of at least 0")
     diagonal, _, number = diagonal.partition("-")
     grid = _Grid(surface, n)
-    faces = DIAGONALS[diagonal](grid, np.random.default_rng(int(number or seed)))
+    at, faces = DIAGONALS[diagonal](grid, np.random.default_rng(int(number or seed)))
     collapsed = (faces == np.roll(faces, 1, axis=1)).any(1)
-    exact = surface.curvature(*grid.uv.T)._asdict()
-    normals = exact.pop("normal")
-    return Mesh(
-        grid.vertices, faces[~collapsed], uv=grid.uv, normals=normals, pole=grid.pole, **exact
-    )
+    uv = grid.parameters(at)
+    exact = surface.curvature(*uv.T)._asdict()
+    vertices, normals = exact.pop("point"), exact.pop("normal")
+    return Mesh(vertices, faces[~collapsed], uv=uv, normals=normals, pole=grid.pole, **exact)
 
 
 class _Grid:
@@ -79,15 +108,17 @@ class _Grid:
         self.index = index.reshape(n + 1, n + 1)
         self.at = np.array([kept // (n + 1), kept % (n + 1)])
 
-    @property
-    def uv(self):
-        # (high - low) k / n is correctly rounded, so that knots at grid rows are met exactly.
-        domain = self.surface.domain
-        return np.stack([a + (b - a) * k / self.n for k, (a, b) in zip(self.at, domain)], axis=1)
-
-    @property
-    def vertices(self):
-        return self.surface.point(*self.uv.T)
+    def parameters(self, at):
+        """(u, v), (V, 2), at places in cells; on a knot where they miss it by rounding alone."""
+        uv = []
+        for k, breaks in zip(at, self.surface.breaks):
+            low, high = breaks[0], breaks[-1]
+            t = low + (high - low) * k / self.n
+            near = 4 * np.spacing(max(abs(low), abs(high)))
+            for line in breaks:
+                t[np.abs(t - line) <= near] = line
+            uv.append(t)
+        return np.stack(uv, axis=1)
 
     def corners(self):
         """The vertices a, b, c, d around every cell, each (n, n)."""
@@ -104,27 +135,27 @@ class _Grid:
 
 
 def _same(grid, rng):
-    return grid.cut(False)
+    return grid.at, grid.cut(False)
 
 
 def _alternate(grid, rng):
     i, j = np.indices((grid.n, grid.n))
-    return grid.cut((i + j) % 2 == 1)
+    return grid.at, grid.cut((i + j) % 2 == 1)
 
 
 def _shortest(grid, rng):
-    points = grid.vertices
+    points = grid.surface.point(*grid.parameters(grid.at).T)
     a, b, c, d = grid.corners()
     ac, bd = (((points[p] - points[q]) ** 2).sum(-1) for p, q in ((a, c), (b, d)))
-    return grid.cut(bd < ac * (1 - 1e-9))
+    return grid.at, grid.cut(bd < ac * (1 - 1e-9))
 
 
 def _random(grid, rng):
-    return grid.cut(rng.random((grid.n, grid.n)) < 0.5)
+    return grid.at, grid.cut(rng.random((grid.n, grid.n)) < 0.5)
 
 
 def _jittered(grid, rng):
-    """Moves the grid's points and triangulates copies of them side by side across the seams."""
+    """Points moved at random; copies of them side by side across the seams are triangulated."""
     from scipy.spatial import Delaunay
 
     n, surface = grid.n, grid.surface
@@ -141,11 +172,11 @@ def _jittered(grid, rng):
             if surface.has_pole(axis, end):
                 at[on_edge] = nodes[on_edge]
     vertex = grid.index[tuple(nodes.T)]
-    grid.at = np.empty(grid.at.shape)
+    moved = np.empty(grid.at.shape)
     # Written backwards, so that a pole, as in the grid, has the place of its first node.
-    grid.at[:, vertex[::-1]] = at[::-1].T
+    moved[:, vertex[::-1]] = at[::-1].T
     for axis in np.flatnonzero(surface.closed):
-        grid.at[axis] %= n
+        moved[axis] %= n
     shifts = itertools.product(*((0, -n, n) if closed else (0,) for closed in surface.closed))
     copies = np.concatenate([at + shift for shift in shifts])
     triangles = Delaunay(copies).simplices
@@ -155,10 +186,10 @@ def _jittered(grid, rng):
     # Of a triangle's copies the one is taken whose first node is no copy.
     node = triangles % len(at)
     first = triangles[np.arange(len(node)), node.argmin(1)]
-    return vertex[node[first < len(at)]]
+    return moved, vertex[node[first < len(at)]]
 
 
-# Each gives the faces, by their vertices' indices, of a grid.
+# Each gives places (2, V) in cells and faces, by their vertices' indices, of a grid.
 DIAGONALS = {
     "same": _same,
     "alternate": _alternate,

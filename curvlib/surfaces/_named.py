@@ -1,10 +1,45 @@
 """Surfaces by name."""
 
+from pathlib import Path
+
 from curvlib.catalogue import surfaces
+from curvlib.errors import InputError
 from curvlib.nurbs.surface import Surface
 
 
 def surface(name: str) -> Surface:
-    """The surface of that name, or of a path to a .py file; InputError if there is none."""
+    """A surface by its name, or from a file of one's own.
+
+    Parameters
+    ----------
+    name : str
+        One of `curvlib.surfaces()`, or the path of a .py file that holds LABEL (for legends) and
+        build(), which returns a geomdl surface.
+
+    Returns
+    -------
+    Surface
+        Its normal S_u x S_v points outward on the surfaces of the package.
+
+    Raises
+    ------
+    InputError
+        For an unknown name, and for a file that lacks one of the two or builds no surface.
+
+    Examples
+    --------
+    >>> import curvlib
+    >>> curvlib.surface("teapot_spout")
+    <Surface 'teapot_spout', domain ((0.0, 2.0), (0.0, 2.0))>
+    """
     module = surfaces.module(name)
-    return Surface(module.build(), name=surfaces.path(name).stem, label=module.LABEL)
+    missing = [what for what in ("LABEL", "build") if not hasattr(module, what)]
+    if missing:
+        raise InputError(
+            f"surface file {str(name)!r} has no {' and no '.join(missing)}: it has to hold LABEL "
+            "and build(), which returns a geomdl surface"
+        )
+    try:
+        return Surface(module.build(), name=Path(name).stem, label=module.LABEL)
+    except InputError as error:
+        raise InputError(f"surface file {str(name)!r}: {error}") from None
