@@ -8,11 +8,12 @@ import numpy as np
 from curvlib.kit.fit import least_squares
 
 from . import exact
+from .agreement import AGREE_NORMAL, tolerance
 
 MERIDIANS = 7  # per knot span; three determine the form, the others test it
 
 
-def at_pole(net, polynomials, axis, end, agree, agree_normal):
+def at_pole(net, polynomials, axis, end):
     """K, H, k1, k2 (4,) and d1, d2, normal (3, 3); NaN where the surface is not C^2 (not C^1).
 
     Every meridian passes through the pole, so each gives II(d, d) = S_vv . n in its own
@@ -41,7 +42,7 @@ def at_pole(net, polynomials, axis, end, agree, agree_normal):
     n = np.cross(across, along).sum(0)
     with np.errstate(invalid="ignore"):
         n /= np.sqrt(_dot(n, n))
-    if not np.abs(_dot(d, n)).max() <= agree_normal:
+    if not np.abs(_dot(d, n)).max() <= AGREE_NORMAL:
         return numbers, vectors
     e1 = d[0] - n * _dot(n, d[0])
     e1 /= np.sqrt(_dot(e1, e1))
@@ -49,7 +50,7 @@ def at_pole(net, polynomials, axis, end, agree, agree_normal):
     columns = np.array([x * x, 2 * x * y, y * y, kn])
     form = least_squares(columns[:, :, None].copy())[:, 0]
     residual = np.abs(form @ columns[:3] - kn).max()
-    if residual <= agree * max(np.abs(kn).max(), 1 / net.size):
+    if residual <= tolerance(net) * max(np.abs(kn).max(), 1 / net.size):
         numbers, vectors = map(np.array, exact.principal(*form, tuple(e1), tuple(n), net.size))
         if np.abs(_dot(d, n)).max() * net.size <= net.near:
             _flatten(polynomials.coefficients, axis, end, n)

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from test_surfaces import EVERYWHERE, SURFACES, interior
 
 import curvlib
 
@@ -28,14 +27,14 @@ def assert_principal(s, u, v, tolerance):
         assert np.all(np.abs(turned - k[:, None] * d) <= tolerance * scale)
 
 
-@pytest.mark.parametrize("name", sorted(set(SURFACES) - {"sphere"}))
-def test_normal_turns_along_principal_directions(name):
+@pytest.mark.parametrize("name", sorted(set(curvlib.surfaces()) - {"sphere"}))
+def test_normal_turns_along_principal_directions(name, interior):
     s = curvlib.surface(name)
     u, v = interior(s, 200, seed=6, margin=0.05)
     assert_principal(s, u, v, 1e-5)
 
 
-def test_directions_of_a_surface_of_revolution_are_meridians_and_parallels():
+def test_directions_of_a_surface_of_revolution_are_meridians_and_parallels(interior):
     s = curvlib.surface("revolution")
     u, v = interior(s, 300, seed=7, margin=0.05)
     c, p = s.curvature(u, v), s.point(u, v)
@@ -53,8 +52,8 @@ def test_directions_at_the_poles_of_the_ellipsoid():
     np.testing.assert_allclose(np.abs(c.d2), np.broadcast_to([1, 0, 0], c.d2.shape), atol=1e-9)
 
 
-def test_umbilics_have_no_directions():
-    c = curvlib.surface("sphere").curvature(*EVERYWHERE)
+def test_umbilics_have_no_directions(everywhere):
+    c = curvlib.surface("sphere").curvature(*everywhere)
     assert c.smooth.all()
     assert np.isnan(c.d1).all()
     assert np.isnan(c.d2).all()

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import curvlib
-from curvlib.nurbs.tessellation import DIAGONALS
+from curvlib.nurbs.tessellation import DIAGONALS, _Grid
 
 SURFACES = curvlib.surfaces()
 
@@ -99,3 +99,36 @@ def test_bad_resolution(n):
 def test_bad_diagonal():
     with pytest.raises(curvlib.InputError, match="'shortst'; did you mean 'shortest'"):
         curvlib.tessellate(curvlib.surface("sphere"), 8, "shortst")
+
+
+@pytest.mark.parametrize("cut", ["random-", "random-²", "random--1", "random-1.5", "same-1", "x"])
+def test_bad_cuts(cut):
+    with pytest.raises(curvlib.InputError, match=r"a seed is a number|unknown diagonal"):
+        curvlib.tessellate(curvlib.surface("sphere"), 8, cut)
+
+
+@pytest.mark.parametrize("seed", [-1, 1.5, "1"])
+def test_bad_seeds(seed):
+    with pytest.raises(curvlib.InputError, match=r"seed .* is not an integer of at least 0"):
+        curvlib.tessellate(curvlib.surface("sphere"), 8, "random", seed=seed)
+
+
+@pytest.mark.parametrize("diagonal", DIAGONALS)
+def test_cuts_leave_the_grid_as_it_is(diagonal):
+    grid = _Grid(curvlib.surface("ellipsoid"), 8)
+    before = grid.at.copy(), grid.index.copy()
+    at, _ = DIAGONALS[diagonal](grid, np.random.default_rng(0))
+    np.testing.assert_array_equal(grid.at, before[0])
+    np.testing.assert_array_equal(grid.index, before[1])
+    assert (at is grid.at) == (diagonal != "jittered")
+
+
+@pytest.mark.parametrize("n", [10, 20, 30, 70])
+def test_rows_of_the_grid_meet_knots(build, n):
+    """Neither 0.3 + (0.7 - 0.3) k / n nor its last value is a knot by itself."""
+    knots = [0.3] * 3 + [0.34, 0.34, 0.42, 0.42, 0.58, 0.58] + [0.7] * 3
+    x, y = np.meshgrid(np.arange(9.0), np.arange(9.0), indexing="ij")
+    s = build((2, 2), (knots, knots), np.stack((x, y, np.cos(x) * y), -1))
+    uv = curvlib.tessellate(s, n).uv
+    for breaks, t in zip(s.breaks, uv.T):
+        assert np.isin(breaks, t).all()
