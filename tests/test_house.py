@@ -26,7 +26,7 @@ DOORS = {
     "estimators": {"kit"},
     "meshes": {"errors", "kit", "parallel"},
     "nurbs": {"errors", "kit", "meshes"},
-    "surfaces": {"catalogue", "nurbs"},
+    "surfaces": {"catalogue", "errors", "nurbs"},
     "estimates": {"errors", "kit"},
     "estimation": {"catalogue", "errors", "estimates", "kit", "meshes", "parallel"},
     "dataset": {"errors", "files", "meshes", "nurbs"},

@@ -78,7 +78,7 @@ def points(polynomials, closed, u, v):
 
 
 @compiled
-def curvatures(polynomials, closed, size, u, v, above_u, above_v):
+def curvatures(polynomials, closed, size, umbilic, u, v, above_u, above_v):
     """K, H, k1 and k2, (4, m), and d1, d2, the normal and S, each (m, 3), on the named sides of
     the points; NaN, but for S, where the surface is singular there.
 
@@ -100,7 +100,7 @@ def curvatures(polynomials, closed, size, u, v, above_u, above_v):
         a = L / (p * p)
         b = (M / p - q * a) / r
         c = (N - q * q * a - 2 * q * r * b) / (r * r)
-        values, directions = principal(a, b, c, divide(S_u, p), n, size)
+        values, directions = principal(a, b, c, divide(S_u, p), n, size, umbilic)
         for i in range(4):
             numbers[i, k] = values[i]
         for j in range(3):
@@ -110,16 +110,16 @@ def curvatures(polynomials, closed, size, u, v, above_u, above_v):
 
 
 @compiled
-def principal(a, b, c, e1, n, size):
+def principal(a, b, c, e1, n, size, umbilic=UMBILIC):
     """(K, H, k1, k2) and (d1, d2, n) of the form [[a, b], [b, c]] in the frame of e1 and n x e1;
-    `size` is that of the surface."""
+    `size` is that of the surface, `umbilic` the relative gap below which k1 and k2 are the same."""
     H, half = (a + c) / 2, (a - c) / 2
     gap = math.sqrt(half * half + b * b)
     k1, k2 = H + gap, H - gap
     # (half + gap, b) and (b, gap - half) both point along k1; of two the longer does not cancel.
     x, y = (b, gap - half) if half < 0 else (half + gap, b)
     length = math.sqrt(x * x + y * y)
-    if not gap > UMBILIC * max(abs(k1), abs(k2), 1 / size):
+    if not gap > umbilic * max(abs(k1), abs(k2), 1 / size):
         length = math.nan
     e2 = cross(n, e1)
     d1 = divide((x * e1[0] + y * e2[0], x * e1[1] + y * e2[1], x * e1[2] + y * e2[2]), length)

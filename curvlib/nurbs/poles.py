@@ -50,8 +50,11 @@ def at_pole(net, polynomials, axis, end):
     columns = np.array([x * x, 2 * x * y, y * y, kn])
     form = least_squares(columns[:, :, None].copy())[:, 0]
     residual = np.abs(form @ columns[:3] - kn).max()
-    if residual <= tolerance(net) * max(np.abs(kn).max(), 1 / net.size):
-        numbers, vectors = map(np.array, exact.principal(*form, tuple(e1), tuple(n), net.size))
+    same = tolerance(net)
+    if residual <= same * max(np.abs(kn).max(), 1 / net.size):
+        numbers, vectors = map(
+            np.array, exact.principal(*form, tuple(e1), tuple(n), net.size, same)
+        )
         if np.abs(_dot(d, n)).max() * net.size <= net.near:
             _flatten(polynomials.coefficients, axis, end, n)
     vectors[2] = n

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from curvlib.errors import InputError
 
-from .agreement import same
+from .agreement import same, tolerance
 from .curvature import Curvature
 from .net import Net
 from .polynomials import expand
@@ -219,8 +219,8 @@ class Surface:
         """K, H, k1, k2 (4, m) and d1, d2, normal, point (m, 3) of one side of every point."""
         from . import exact
 
-        polynomials, size = self._polynomials, self._net.size
-        return exact.curvatures(polynomials, self.closed, size, u, v, above_u, above_v)
+        where = self._polynomials, self.closed, self._net.size, tolerance(self._net)
+        return exact.curvatures(*where, u, v, above_u, above_v)
 
 
 def _numbers(letter, t):

@@ -188,6 +188,7 @@ def test_far_from_the_origin(surface, offset):
     bound = (1e-9 + 1e3 * rounding) * k
     assert np.all(np.abs(found.H - exact.H)[smooth] <= bound)
     assert np.all(np.abs(found.K - exact.K)[smooth] <= bound * k)
+    np.testing.assert_array_equal(np.isnan(found.d1), np.isnan(exact.d1))
     assert len(curvlib.tessellate(far, 8).faces) == len(curvlib.tessellate(surface, 8).faces)
 
 
