@@ -15,6 +15,11 @@ def tolerance(net) -> float:
     return AGREE + AGREE_ROUNDED * net.rounding
 
 
+def flat(net) -> float:
+    """The curvature below which a surface is flat: 1/size, more where coordinates are rounded."""
+    return tolerance(net) / AGREE / net.size
+
+
 def same(numbers, frame, net):
     """Whether all values, and whether the normals, of all sides are the same, two (m,) bool.
 

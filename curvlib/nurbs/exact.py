@@ -4,15 +4,11 @@ Two nested Horner schemes, one-sided by the choice of span, and + - * / and squa
 the same bytes on every machine.
 """
 
-import math
-
 import numpy as np
 
 from curvlib.kit.compiled import compiled
-from curvlib.kit.vectors import add, at, cross, divide, dot, norm
-
-# Principal curvatures are the same where they agree to this, relative to the larger one.
-UMBILIC = 1e-9
+from curvlib.kit.tensor import from_derivatives
+from curvlib.kit.vectors import add, at, divide
 
 
 @compiled
@@ -78,13 +74,9 @@ def points(polynomials, closed, u, v):
 
 
 @compiled
-def curvatures(polynomials, closed, size, umbilic, u, v, above_u, above_v):
+def curvatures(polynomials, closed, flat, u, v, above_u, above_v):
     """K, H, k1 and k2, (4, m), and d1, d2, the normal and S, each (m, 3), on the named sides of
-    the points; NaN, but for S, where the surface is singular there.
-
-    The second fundamental form is taken in the orthonormal frame of S_u / |S_u| and
-    n x S_u / |S_u|: there k1 - k2 is a length, exact also where k1 = k2.
-    """
+    the points; NaN, but for S, where the surface is singular there. `flat` as in `kit.tensor`."""
     m = len(u)
     numbers = np.empty((4, m))
     d1, d2, normal, point = np.empty((m, 3)), np.empty((m, 3)), np.empty((m, 3)), np.empty((m, 3))
@@ -92,35 +84,8 @@ def curvatures(polynomials, closed, size, umbilic, u, v, above_u, above_v):
         span_u, x = side(polynomials.breaks_u, closed[0], u[k], above_u)
         span_v, y = side(polynomials.breaks_v, closed[1], v[k], above_v)
         S, S_u, S_v, S_uu, S_uv, S_vv = derivatives(polynomials, span_u, x, span_v, y)
-        n = cross(S_u, S_v)
-        area, p = norm(n), norm(S_u)
-        n = divide(n, area if area > 1e-13 * p * norm(S_v) else math.nan)
-        q, r = dot(S_u, S_v) / p, area / p
-        L, M, N = -dot(S_uu, n), -dot(S_uv, n), -dot(S_vv, n)
-        a = L / (p * p)
-        b = (M / p - q * a) / r
-        c = (N - q * q * a - 2 * q * r * b) / (r * r)
-        values, directions = principal(a, b, c, divide(S_u, p), n, size, umbilic)
-        for i in range(4):
-            numbers[i, k] = values[i]
+        c, n = from_derivatives(S_u, S_v, S_uu, S_uv, S_vv, flat)
+        numbers[0, k], numbers[1, k], numbers[2, k], numbers[3, k] = c.K, c.H, c.k1, c.k2
         for j in range(3):
-            d1[k, j], d2[k, j], normal[k, j] = directions[0][j], directions[1][j], directions[2][j]
-            point[k, j] = S[j]
+            d1[k, j], d2[k, j], normal[k, j], point[k, j] = c.d1[j], c.d2[j], n[j], S[j]
     return numbers, (d1, d2, normal, point)
-
-
-@compiled
-def principal(a, b, c, e1, n, size, umbilic=UMBILIC):
-    """(K, H, k1, k2) and (d1, d2, n) of the form [[a, b], [b, c]] in the frame of e1 and n x e1;
-    `size` is that of the surface, `umbilic` the relative gap below which k1 and k2 are the same."""
-    H, half = (a + c) / 2, (a - c) / 2
-    gap = math.sqrt(half * half + b * b)
-    k1, k2 = H + gap, H - gap
-    # (half + gap, b) and (b, gap - half) both point along k1; of two the longer does not cancel.
-    x, y = (b, gap - half) if half < 0 else (half + gap, b)
-    length = math.sqrt(x * x + y * y)
-    if not gap > umbilic * max(abs(k1), abs(k2), 1 / size):
-        length = math.nan
-    e2 = cross(n, e1)
-    d1 = divide((x * e1[0] + y * e2[0], x * e1[1] + y * e2[1], x * e1[2] + y * e2[2]), length)
-    return (a * c - b * b, H, k1, k2), (d1, cross(n, d1), n)

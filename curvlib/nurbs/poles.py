@@ -6,9 +6,10 @@ There S_u or S_v vanishes, and with it the formulas that hold elsewhere.
 import numpy as np
 
 from curvlib.kit.fit import least_squares
+from curvlib.kit.tensor import from_form
 
 from . import exact
-from .agreement import AGREE_NORMAL, tolerance
+from .agreement import AGREE_NORMAL, flat, tolerance
 
 MERIDIANS = 7  # per knot span; three determine the form, the others test it
 
@@ -50,11 +51,9 @@ def at_pole(net, polynomials, axis, end):
     columns = np.array([x * x, 2 * x * y, y * y, kn])
     form = least_squares(columns[:, :, None].copy())[:, 0]
     residual = np.abs(form @ columns[:3] - kn).max()
-    same = tolerance(net)
-    if residual <= same * max(np.abs(kn).max(), 1 / net.size):
-        numbers, vectors = map(
-            np.array, exact.principal(*form, tuple(e1), tuple(n), net.size, same)
-        )
+    if residual <= tolerance(net) * max(np.abs(kn).max(), 1 / net.size):
+        c = from_form(*form, tuple(e1), tuple(n), flat(net))
+        numbers, vectors[:2] = np.array(c[:4]), (c.d1, c.d2)
         if np.abs(_dot(d, n)).max() * net.size <= net.near:
             _flatten(polynomials.coefficients, axis, end, n)
     vectors[2] = n

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from curvlib.errors import InputError
 
-from .agreement import same, tolerance
+from .agreement import flat, same
 from .curvature import Curvature
 from .net import Net
 from .polynomials import expand
@@ -219,7 +219,7 @@ class Surface:
         """K, H, k1, k2 (4, m) and d1, d2, normal, point (m, 3) of one side of every point."""
         from . import exact
 
-        where = self._polynomials, self.closed, self._net.size, tolerance(self._net)
+        where = self._polynomials, self.closed, flat(self._net)
         return exact.curvatures(*where, u, v, above_u, above_v)
 
 
