@@ -38,3 +38,17 @@ rule all:
 
 
 include: "workflow/rules/report.smk"
+
+
+onsuccess:
+    made = {
+        "article": study.results / "paper/paper.pdf",
+        "tables": study.results / "tables",
+        "figures": FIGURES,
+        "report": study.results / "report.html",
+    }
+    for name, path in made.items():
+        if path.exists():
+            print(f"{name:8} {path}", file=sys.stderr)
+    if not made["report"].exists():
+        print("report   made by `snakemake report`", file=sys.stderr)

@@ -2,20 +2,33 @@
 
 import importlib
 import importlib.util
+import os
+import re
 import sys
+import traceback
 from pathlib import Path
+from types import SimpleNamespace
 
 from curvlib.errors import InputError, check_name
+
+# Styles of estimators that name none: colours and markers that no file of the package has.
+COLOURS = ("#56B4E9", "black", "#882255", "#999933")
+MARKERS = ("*", "p", "h", "d", "8")
+LINES = ("-", "--", ":")
 
 
 class Catalogue:
     """The modules of one package, by file stem; files that start with `_` are helpers."""
 
-    def __init__(self, what: str, folder: str):
+    def __init__(self, what: str, folder: str, function: str):
+        """`function`: the one that every file has to define."""
         self.what = what
         self.folder = Path(__file__).parent / folder
         self.package = f"{__package__}.{folder}"
+        self._function = function
         self._loaded = {}
+        self._stamps = {}
+        self._shown = {}
 
     def names(self) -> list[str]:
         """Names found in the folder, sorted."""
@@ -26,8 +39,8 @@ class Catalogue:
 
         Raises InputError for an unknown name or a path that is not a file.
         """
-        if str(name).endswith(".py"):
-            path = Path(name)
+        if _is_path(name):
+            path = Path(name).expanduser()
             if not path.is_file():
                 raise InputError(f"{self.what} file {str(name)!r} does not exist")
             if path.stem in self.names():
@@ -39,28 +52,123 @@ class Catalogue:
         return self.folder / f"{name}.py"
 
     def module(self, name: str):
-        """The imported module behind a name or path; errors as in `path`."""
+        """The imported module behind a name or path, a path's as the file is now.
+
+        Raises InputError as `path` does, and where the file fails or lacks its function.
+        """
         if name in self._loaded:
             # Without a look at the folder, which would cost more than a small mesh's estimate.
             return self._loaded[name]
-        path = self.path(name)
-        if path.parent == self.folder:
-            self._loaded[name] = importlib.import_module(f"{self.package}.{path.stem}")
-            return self._loaded[name]
-        # Named by its path: two strangers' files may share a stem, and compiled code that was
-        # kept looks for the module by its name.
-        key = f"{self.package}:{path.resolve()}"
-        if key not in self._loaded:
-            spec = importlib.util.spec_from_file_location(key, path)
-            sys.modules[key] = module = importlib.util.module_from_spec(spec)
-            spec.loader.exec_module(module)
-            self._loaded[key] = module
-        return self._loaded[key]
+        if _is_path(name):
+            return self._from_elsewhere(name)
+        self._shown[str(self.path(name))] = name
+        key = f"{self.package}.{name}"
+        self._loaded[name] = self._checked(lambda: importlib.import_module(key), name)
+        return self._loaded[name]
 
     def modules(self, files: dict) -> dict:
-        """The modules behind names or paths, by the same keys; errors as in `path`."""
-        return {key: self.module(file) for key, file in files.items()}
+        """What the figures ask of the modules behind names or paths, by the same keys.
+
+        A file without STYLE gets one by its position. Raises InputError as `module` does, for a
+        file without LABEL and for two of the same STYLE.
+        """
+        found, given = {}, {}
+        for position, (key, file) in enumerate(files.items()):
+            module = self.module(file)
+            if not hasattr(module, "LABEL"):
+                raise InputError(f"{self.what} {file} has no LABEL, its name in legends")
+            style = getattr(module, "STYLE", None)
+            same = [other for other, its in given.items() if style and its == style]
+            if same:
+                raise InputError(f"{self.what}s {same[0]} and {file} have one STYLE; change it")
+            given[file] = style
+            found[key] = SimpleNamespace(**vars(module) | {"STYLE": style or _style(position)})
+        return found
+
+    def told(self, error: Exception) -> InputError | None:
+        """An exception that passed through a loaded file, in one line; None for any other.
+
+        The line number is that of the innermost frame in such a file; Numba's typing errors have
+        no frame there, but name file and line in their message.
+        """
+        frames = traceback.walk_tb(error.__traceback__)
+        places = [(file, line) for file in self._shown for line in _lines_named(file, str(error))]
+        places += [(frame.f_code.co_filename, line) for frame, line in frames]
+        if isinstance(error, SyntaxError):
+            places.append((error.filename, error.lineno))
+        for file, line in reversed(places):
+            if file in self._shown:
+                where = f"{self.what} {self._shown[file]}, line {line}"
+                return InputError(f"{where}: {type(error).__name__}: {_in_one_line(error)}")
+        return None
+
+    def _from_elsewhere(self, name):
+        """The module of a path, loaded again where the file has changed since."""
+        path = os.path.abspath(os.path.expanduser(name))
+        # Named by its path: two strangers' files may share a stem, and compiled code that was
+        # kept looks for the module by its name.
+        key = f"{self.package}:{path}"
+        try:
+            stamp = os.stat(path).st_mtime_ns, os.stat(path).st_size
+        except OSError:
+            stamp = None
+        if stamp is None or self._stamps.get(key) != stamp:
+            self.path(name)
+            self._shown[path] = name
+            self._loaded[key] = self._checked(lambda: _executed(key, path), name)
+            self._stamps[key] = stamp
+        return self._loaded[key]
+
+    def _checked(self, load, name):
+        try:
+            module = load()
+        except InputError:
+            raise
+        except Exception as error:
+            unknown = f"{self.what} {name}: {type(error).__name__}: {error}"
+            raise self.told(error) or InputError(unknown) from error
+        if not callable(getattr(module, self._function, None)):
+            raise InputError(f"{self.what} {name} has no function {self._function!r}")
+        return module
 
 
-estimators = Catalogue("estimator", "estimators")
-surfaces = Catalogue("surface", "surfaces")
+def _is_path(name):
+    return str(name).endswith(".py")
+
+
+def _executed(key, path):
+    """The module of a file, never from its .pyc, which an edit within a second does not change."""
+    spec = importlib.util.spec_from_file_location(key, path)
+    sys.modules[key] = module = importlib.util.module_from_spec(spec)
+    try:
+        exec(spec.loader.source_to_code(Path(path).read_bytes(), path), vars(module))
+    except BaseException:
+        del sys.modules[key]
+        raise
+    return module
+
+
+def _style(position):
+    """The style of an estimator that names none; 60 of them differ."""
+    return {
+        "color": COLOURS[position % len(COLOURS)],
+        "marker": MARKERS[position % len(MARKERS)],
+        "linestyle": LINES[position // 20 % len(LINES)],
+    }
+
+
+def _lines_named(file, message):
+    """Line numbers after the file's path in a message of Numba's."""
+    return [int(n) for n in re.findall(re.escape(file) + r" \((\d+)\)", message)]
+
+
+def _in_one_line(error):
+    """The first line of a message that says something."""
+    text = error.msg if isinstance(error, SyntaxError) else str(error)
+    lines = filter(None, map(str.strip, text.splitlines()))
+    # Numba says first in which pass it failed.
+    return next((line for line in lines if not line.startswith("Failed in nopython mode")), "")
+
+
+estimators = Catalogue("estimator", "estimators", "estimate")
+surfaces = Catalogue("surface", "surfaces", "build")

@@ -12,7 +12,7 @@ class MeshWarning(UserWarning):
 
 
 def check_name(what: str, name: str, valid, where: str = "") -> None:
-    """Raise InputError unless `name` is in `valid`; name the nearest valid one."""
+    """Raise InputError unless `name` is in `valid`; name the valid one nearest to a string."""
     valid = list(valid)
     if name in valid:
         return

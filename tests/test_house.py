@@ -1,17 +1,11 @@
 """The house itself: what imports what, what an import costs, what changes a digest."""
 
 import ast
-import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 import curvlib
-from curvlib.study.config import Study
-from curvlib.study.digest import digest
 
 PACKAGE = Path(curvlib.__file__).parent
 
@@ -79,89 +73,23 @@ def test_listings_stay_callable_after_their_packages_are_used():
     assert "taubin_a" in curvlib.estimators()
 
 
-def test_digest_follows_imports_but_not_comments(monkeypatch, tmp_path):
-    copy = shutil.copytree(PACKAGE, tmp_path / "curvlib")
-    monkeypatch.setattr("curvlib.study.digest.PACKAGE", copy)
-    variant, parent = copy / "estimators/taubin_a.py", copy / "estimators/taubin.py"
-    before, kept = digest(variant), parent.read_text()
-    assert digest(PACKAGE / "estimators/taubin_a.py") == before
-    parent.write_text(kept + "\n# a comment\n")
-    assert digest(variant) == before
-    parent.write_text(kept.replace('"""Taubin', '"""Not Taubin'))
-    assert digest(variant) == before
-    parent.write_text(kept + "\nX = 1\n")
-    assert digest(variant) != before
-    assert digest(copy / "estimators/watanabe_b.py") != before
+def opens_text(call):
+    """Whether a call opens a file as text, as far as its source shows."""
+    method = isinstance(call.func, ast.Attribute)
+    name = call.func.attr if method else getattr(call.func, "id", "")
+    if name in ("read_text", "write_text"):
+        return method
+    strings = [a.value for a in call.args if isinstance(a, ast.Constant)]
+    modes = [s for s in strings if isinstance(s, str) and set(s) <= set("rwaxbt+")]
+    if name == "NamedTemporaryFile" or (method and name == "open" and call.args):
+        return bool(modes) and "b" not in modes[0]
+    return name == "open" and not (modes and "b" in modes[0])
 
 
-@pytest.fixture
-def config(tmp_path):
-    return {
-        "surfaces": ["sphere"],
-        "estimators": ["gauss_bonnet", "watanabe_b", "watanabe"],
-        "resolutions": [12, 8, 8],
-        "diagonals": ["same", "random-1"],
-        "more": [{"diagonals": ["same"], "resolutions": [12, 64]}],
-        "readings": {"default": {}, "half": {"area": "half"}},
-        "more_readings": ["default", "half"],
-        "vary": ["area", "normal", "vertices"],
-        "product": ["area", "dihedral"],
-        "library": str(tmp_path),
-        "results": str(tmp_path),
-    }
-
-
-def test_a_folder_that_cannot_be_written_to(config, monkeypatch):
-    assert str(Study(config).results) == config["results"]
-    monkeypatch.setattr(os, "access", lambda path, mode: False)
-    with pytest.raises(curvlib.InputError, match="cannot be written to"):
-        Study(config)
-
-
-def test_readings_of_more_meshes(config):
-    study = Study(config)
-    assert study.more_variants("gauss_bonnet") == [
-        "area=third,dihedral=signed",
-        "area=half,dihedral=signed",
-    ]
-    assert study.more_variants("watanabe_b") == ["normal=uniform"]
-    for wrong, message in (
-        (["default", "hlaf"], "did you mean 'half'"),
-        (["half"], "has to hold 'default'"),
-        ("default", "has to be a list"),
-    ):
-        with pytest.raises(curvlib.InputError, match=message):
-            Study(config | {"more_readings": wrong})
-
-
-def test_products_that_have_a_name(config):
-    named = {"area=third,dihedral=signed": "default", "area=half,dihedral=signed": "half"}
-    assert Study(config).named_products() == named
-    other = {"readings": config["readings"] | {"principal": {"principal": "as-printed"}}}
-    assert Study(config | other).named_products() == named
-    assert Study(config | {"product": []}).named_products() == {}
-
-
-def test_study_shares_what_readings_have_in_common(config):
-    study = Study(config)
-    assert study.meshes() == [
-        ("same", 8, True),
-        ("same", 12, True),
-        ("random-1", 8, True),
-        ("random-1", 12, True),
-        ("same", 64, False),
-    ]
-    assert list(study.single_changes()) == [
-        "area=half",
-        "area=mixed",
-        "normal=uniform",
-        "normal=area",
-        "normal=exact",
-        "vertices=without-poles",
-    ]
-    assert len(study.products()) == 9
-    assert next(iter(study.variants("gauss_bonnet"))) == "area=third,dihedral=signed"
-    assert len(study.variants("gauss_bonnet")) == 9
-    assert list(study.variants("watanabe_b")) == ["normal=uniform", "normal=area", "normal=exact"]
-    # The value `area` is an option of one and the name of another's: no mix-up.
-    assert study.options("watanabe", {"area": "half"}) == study.options("watanabe", {})
+def test_text_is_utf_8_whatever_the_locale():
+    workflow = PACKAGE.parent / "workflow"
+    for path in (*PACKAGE.rglob("*.py"), *workflow.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and opens_text(node):
+                named = {keyword.arg for keyword in node.keywords}
+                assert "encoding" in named, f"{path}, line {node.lineno}"

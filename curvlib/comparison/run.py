@@ -49,7 +49,7 @@ def run_estimator(
 
 def write_rows(path, rows) -> None:
     """Write dicts of the same keys as CSV, whole or not at all; no rows make an empty file."""
-    with whole_file(path) as part, part.open("w", newline="") as file:
+    with whole_file(path) as part, part.open("w", newline="", encoding="utf-8") as file:
         writer = None
         for row in rows:
             if writer is None:

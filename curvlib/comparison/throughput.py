@@ -151,7 +151,7 @@ def _peak():
     """Bytes of memory that this process has held at most; NaN where the system does not tell."""
     # Not getrusage: that maximum is inherited from the process that started this one.
     status = Path("/proc/self/status")
-    lines = status.read_text().splitlines() if status.exists() else ()
+    lines = status.read_text(encoding="utf-8").splitlines() if status.exists() else ()
     return sum(1024 * int(x.split()[1]) for x in lines if x.startswith("VmHWM")) or np.nan
 
 

@@ -1,44 +1,66 @@
-"""The study as its config describes it: names resolved and checked before anything runs."""
+"""The study as its config describes it: types and names checked before anything runs."""
 
+import functools
 import itertools
 import os
-from dataclasses import dataclass
+import re
 from pathlib import Path
 
 from curvlib.catalogue import estimators, surfaces
-from curvlib.comparison.norms import VERTICES
 from curvlib.errors import InputError, check_name
-from curvlib.estimation import readings as estimator_options
 from curvlib.files import open_archive
-from curvlib.nurbs.tessellation import check_cut, check_resolution
+from curvlib.nurbs.tessellation import check_cut
+
+from .readings import Readings, choices_of, stem_of
+
+SCHEMA = Path(__file__).with_name("config.schema.yaml")
+
+# What --config makes of numbers, and what to do about it.
+AS_NUMBERS = re.compile(r"[\d.,\s\[\]]+")
+AS_TEXT = ", which is text: --config delivers no numbers, a file for --configfile does"
 
 
-@dataclass(frozen=True)
-class Study:
-    """What to compute, and where; `config/README.md` explains every key.
+class Study(Readings):
+    """What to compute, and where: one attribute per key of the config.
 
-    Raises InputError, naming the key and the nearest valid name, for anything unknown.
+    `config/README.md` explains every key. Raises InputError, naming the key, for a value of the
+    wrong type, and, with the nearest valid name, for anything unknown.
     """
 
-    surfaces: list
-    estimators: list
-    resolutions: list
-    diagonals: list
-    more: list
-    readings: dict
-    more_readings: list
-    vary: list
-    product: list
-    library: Path
-    results: Path
-
     def __init__(self, config: dict):
-        for key in config:
-            check_name("key", key, self.__dataclass_fields__, "config")
-        for key in self.__dataclass_fields__:
-            if key not in config:
-                raise InputError(f"config: key {key!r} is missing")
-            object.__setattr__(self, key, getattr(self, f"_{key}")(config[key]))
+        _check_types(config)
+        self.surfaces = _names("surfaces", config["surfaces"], surfaces)
+        self.estimators = _names("estimators", config["estimators"], estimators)
+        _check_stems([*self.estimators, *self.surfaces])
+        self.resolutions = sorted(set(map(int, config["resolutions"])))
+        self.diagonals = _cuts("diagonals", config["diagonals"])
+        self.more = [
+            {
+                "diagonals": _cuts("more: diagonals", block["diagonals"]),
+                "resolutions": sorted(set(map(int, block["resolutions"]))),
+            }
+            for block in config["more"]
+        ]
+        # Readings of config.yaml hold in a study of fewer estimators: options of all are known.
+        known = choices_of(dict.fromkeys((*self.estimators, *estimators.names())))
+        self.readings = {name: choice or {} for name, choice in config["readings"].items()}
+        for name, choice in self.readings.items():
+            for option, value in choice.items():
+                check_name("option", option, known, f"config: reading {name!r}")
+                check_name(option, value, known[option], f"config: reading {name!r}")
+        self.more_readings = config["more_readings"]
+        for name in self.more_readings:
+            check_name("reading", name, self.readings, "config: more_readings")
+        self.vary, self.product = config["vary"], config["product"]
+        for key in ("vary", "product"):
+            for option in config[key]:
+                check_name("option", option, known, f"config: {key}")
+        self.library = _library(config["library"])
+        self.results = _folder("results", config["results"])
+
+    def is_that_of(self, config: dict) -> bool:
+        """Whether another config describes the same study, wherever its files lie."""
+        return vars(self) == vars(self._here(config))
 
     def meshes(self) -> list[tuple]:
         """(diagonal, n, whether all readings are run on it) of every mesh of a surface; on the
@@ -51,161 +73,105 @@ class Study:
         ]
         return [(*m, True) for m in every] + [(*m, False) for m in more if m not in every]
 
-    def choices(self) -> dict[str, tuple]:
-        """Every option of any estimator, and `vertices`: its values, defaults first."""
-        found = {}
-        for name in dict.fromkeys((*estimators.names(), *self.estimators)):
-            for option, values in estimator_options(name).items():
-                found[option] = tuple(dict.fromkeys((*found.get(option, ()), *values)))
-        return found | {"vertices": VERTICES}
+    def check_places(self, config: dict) -> None:
+        """Raise InputError where an overlay would overwrite files of the study of `config`.
 
-    def single_changes(self) -> dict[str, dict]:
-        """A reading, by name, for each value that differs from some estimator's default."""
-        result = {}
-        for option in self.vary:
-            for value in self.choices()[option]:
-                choice = {option: value}
-                if self.changes(choice):
-                    result[f"{option}={value}"] = choice
-        return result
+        A study that differs in its estimators or readings alone has the same meshes and may
+        share them.
+        """
+        if self.results.resolve() == Path(config["results"]).resolve():
+            raise InputError(
+                f"config: results: the tables of the study of config.yaml lie in "
+                f"{str(self.results)!r}; an overlay has to name a folder of its own, such as "
+                "results/mine"
+            )
+        same_folder = self.library.resolve() == Path(config["library"]).resolve()
+        if same_folder and self.meshes() != self._here(config).meshes():
+            raise InputError(
+                f"config: library: the meshes of the study of config.yaml lie in "
+                f"{str(self.library)!r}; an overlay with other resolutions or diagonals has to "
+                "name a folder of its own, such as data/mine"
+            )
 
-    def all_readings(self) -> dict[str, dict]:
-        """The readings of the tables: those of the config, then the single changes."""
-        return self.readings | self.single_changes()
-
-    def products(self) -> dict[str, dict]:
-        """A reading, by name, for each combination of the options in `product`."""
-        values = [self.choices()[option] for option in self.product]
-        combinations = [dict(zip(self.product, v)) for v in itertools.product(*values)]
-        names = (",".join(f"{k}={v}" for k, v in c.items()) for c in combinations)
-        return dict(zip(names, combinations)) if self.product else {}
-
-    def named_products(self) -> dict[str, str]:
-        """The products that some of the `readings` come to: product -> reading."""
-        products = self.products()
-        default = {option: self.choices()[option][0] for option in self.product}
-        return {
-            product: name
-            for name, reading in self.readings.items()
-            for product, choice in products.items()
-            if choice == default | reading
-        }
-
-    def changes(self, reading: dict) -> bool:
-        """Whether a reading differs from the default one."""
-        default = {name: self.options(name, {}) for name in self.estimators}
-        changed = {name: self.options(name, reading) for name in self.estimators}
-        return changed != default or reading.get("vertices", VERTICES[0]) != VERTICES[0]
-
-    def options(self, estimator: str, reading: dict) -> dict:
-        """All options of an estimator in a reading: what it knows of that, else its defaults."""
-        known = estimator_options(estimator)
-        return {
-            option: reading[option] if reading.get(option) in values else values[0]
-            for option, values in known.items()
-        }
-
-    def variants(self, estimator: str) -> dict[str, dict]:
-        """The distinct options of an estimator over all readings, by key, the default's first:
-        each is run once."""
-        every = [{}, *self.all_readings().values(), *self.products().values()]
-        chosen = (self.options(estimator, reading) for reading in every)
-        return {variant(options): options for options in chosen}
-
-    def more_variants(self, estimator: str) -> list[str]:
-        """The keys of those variants that are run on every mesh."""
-        chosen = (self.options(estimator, self.readings[name]) for name in self.more_readings)
-        return list(dict.fromkeys(map(variant, chosen)))
-
-    def _surfaces(self, value):
-        return _names("surfaces", value, surfaces)
-
-    def _estimators(self, value):
-        return _names("estimators", value, estimators)
-
-    def _resolutions(self, value, where="resolutions"):
-        for n in _list(where, value):
-            check_resolution(n, f"config: {where}")
-        return sorted(set(value))
-
-    def _diagonals(self, value, where="diagonals"):
-        for diagonal in _list(where, value):
-            check_cut(diagonal, f"config: {where}")
-        return list(dict.fromkeys(value))
-
-    def _more(self, value):
-        keys = ("diagonals", "resolutions")
-        for block in value:
-            if not isinstance(block, dict) or sorted(block) != sorted(keys):
-                raise InputError(f"config: more: {block!r} needs exactly {' and '.join(keys)}")
-        return [
-            {key: getattr(self, f"_{key}")(block[key], f"more: {key}") for key in keys}
-            for block in value
-        ]
-
-    def _readings(self, value):
-        if not isinstance(value, dict) or value.get("default", 0) not in ({}, None):
-            raise InputError("config: readings maps names to choices; 'default' has to make none")
-        valid = self.choices()
-        for name, choices in value.items():
-            for option, chosen in (choices or {}).items():
-                check_name("option", option, valid, f"config: reading {name!r}")
-                check_name(option, chosen, valid[option], f"config: reading {name!r}")
-        return {name: choices or {} for name, choices in value.items()}
-
-    def _more_readings(self, value):
-        for name in _list("more_readings", value):
-            check_name("reading", name, self.readings, "config: more_readings")
-        if "default" not in value:
-            raise InputError("config: more_readings has to hold 'default'")
-        return value
-
-    def _vary(self, value, where="vary"):
-        for option in value:
-            check_name("option", option, self.choices(), f"config: {where}")
-        return value
-
-    def _product(self, value):
-        return self._vary(value, "product")
-
-    def _library(self, value):
-        if Path(value).suffix != ".zip":
-            return _folder("library", value)
-        try:
-            with open_archive(value):
-                return Path(value)
-        except InputError as error:
-            raise InputError(f"config: library: {error}") from None
-
-    def _results(self, value):
-        return _folder("results", value)
+    def _here(self, config):
+        """The study of another config with its files where this one's are."""
+        return Study(config | {"library": str(self.library), "results": str(self.results)})
 
 
-def variant(options: dict) -> str:
-    """The key of an option set in result files: `area=third,dihedral=signed`."""
-    return ",".join(f"{k}={v}" for k, v in sorted(options.items())) or "-"
+def _check_types(config):
+    """Raise InputError for an unknown or missing key and for a value of the wrong type."""
+    # Imported here, since this takes 0.1 s and a job does without.
+    from jsonschema import Draft202012Validator
+
+    schema = _schema()
+    for key in config:
+        check_name("key", key, schema["properties"], "config")
+    for key in schema["properties"]:
+        if key not in config:
+            raise InputError(f"config: key {key!r} is missing")
+    for error in Draft202012Validator(schema).iter_errors(config):
+        where = "config: " + ": ".join(part for part in error.path if isinstance(part, str))
+        wanted, value = error.schema["description"], error.instance
+        text = AS_TEXT if isinstance(value, str) and AS_NUMBERS.fullmatch(value) else ""
+        if isinstance(error.path[-1], int):
+            raise InputError(f"{where}: {value!r} has to be {wanted}{text}")
+        raise InputError(f"{where} has to be {wanted}, not {value!r}{text}")
 
 
-def _list(key, value):
-    if not isinstance(value, list) or not value:
-        raise InputError(f"config: {key} has to be a list that is not empty, not {value!r}")
-    return value
+@functools.cache
+def _schema():
+    import yaml
+
+    return yaml.safe_load(SCHEMA.read_text(encoding="utf-8"))
 
 
 def _names(key, value, catalogue):
-    if value == "all":
-        return catalogue.names()
-    for name in _list(key, value):
-        try:
-            catalogue.path(name)
-        except InputError as error:
-            raise InputError(f"config: {key}: {error}") from None
+    """Names and paths, `all` replaced by the names in the folder, each file checked."""
+    names = []
+    for name in [value] if value == "all" else value:
+        if name == "all":
+            names += catalogue.names()
+        else:
+            names.append(os.path.expanduser(name) if name.endswith(".py") else name)
+    names = list(dict.fromkeys(names))
+    try:
+        catalogue.modules({name: name for name in names})
+    except InputError as error:
+        raise InputError(f"config: {key}: {error}") from error
+    return names
+
+
+def _check_stems(names):
+    """Raise InputError where two files have one stem, by which rules and results know them."""
+    files = {}
+    for name in names:
+        other = files.setdefault(stem_of(name), name)
+        if other is not name:
+            raise InputError(f"config: two files are called {stem_of(name)!r}: {other} and {name}")
+
+
+def _cuts(key, value):
+    for diagonal in value:
+        check_cut(diagonal, f"config: {key}")
     return list(dict.fromkeys(value))
+
+
+def _library(value):
+    if Path(value).suffix != ".zip":
+        return _folder("library", value)
+    path = Path(value).expanduser()
+    if not path.exists():
+        raise InputError(f"config: library: {str(path)!r} does not exist")
+    try:
+        with open_archive(path):
+            return path
+    except InputError as error:
+        raise InputError(f"config: library: {error}") from None
 
 
 def _folder(key, value):
     """A folder that can be written to, or made."""
-    path = Path(value)
+    path = Path(value).expanduser()
     existing = next(p for p in (path, *path.absolute().parents) if p.exists())
     if not existing.is_dir() or not os.access(existing, os.W_OK):
         reason = "is not a folder" if not existing.is_dir() else "cannot be written to"

@@ -9,53 +9,83 @@ PACKAGE = Path(__file__).parents[1]
 
 
 def digest(*files) -> str:
-    """Hash of the syntax trees of files and of all they import from curvlib, without docstrings."""
+    """Hash of Python files and of all that they use.
+
+    Of Python it takes the syntax tree without docstrings, and follows what that imports from
+    curvlib; imports under `if TYPE_CHECKING:` do no work and are left out. Other files that lie
+    beside a module, and that it names in a string, are data: it takes their bytes.
+    """
     todo, seen = [Path(f).resolve() for f in files], {}
     while todo:
         path = todo.pop()
         if path not in seen:
-            seen[path], imports = _parsed(path, path.read_text())
-            todo += imports
+            seen[path], used = _read(path, path.read_bytes())
+            todo += used
     return hashlib.sha256("\n".join(sorted(seen.values())).encode()).hexdigest()[:16]
 
 
 @functools.cache
-def _parsed(path, text):
-    """The syntax tree of a file, without docstrings, as a string, and what it imports.
+def _read(path, content):
+    """The hash of a file, and the files that it uses.
 
     Kept, since nearly every job's digest asks for the same files.
     """
-    tree = ast.parse(text)
-    imports = tuple(_imports(tree, path))
-    return ast.dump(_without_docstrings(tree)), imports
-
-
-def _imports(tree, path):
-    """Files of curvlib that a module imports, by `from . import x` or `from curvlib.x import y`."""
-    for node in ast.walk(tree):
-        if not isinstance(node, ast.ImportFrom):
-            continue
-        if node.level:
-            base = path.parents[node.level - 1]
-            parts = (node.module or "").split(".") if node.module else []
-        elif (node.module or "").split(".")[0] == PACKAGE.name:
-            base, parts = PACKAGE, node.module.split(".")[1:]
+    if path.suffix != ".py":
+        return hashlib.sha256(content).hexdigest(), ()
+    written, used, todo = [], [], [ast.parse(content)]
+    while todo:
+        node = todo.pop()
+        if isinstance(node, ast.AST):
+            written.append(type(node).__name__)
+            fields = [getattr(node, name, None) for name in node._fields]
+            match node:
+                case ast.If(test=ast.Name("TYPE_CHECKING") | ast.Attribute(attr="TYPE_CHECKING")):
+                    fields = [node.orelse]
+                case ast.Module() | ast.ClassDef() | ast.FunctionDef() | ast.AsyncFunctionDef():
+                    fields[node._fields.index("body")] = _without_docstring(node.body)
+                case ast.Import() | ast.ImportFrom():
+                    used += _imported(node, path)
+                case ast.Constant(value=str(name)):
+                    used += _data_file(name, path)
+            todo += fields
+        elif isinstance(node, list):
+            written.append(str(len(node)))
+            todo += node
         else:
-            continue
-        folder = base.joinpath(*parts)
-        for alias in node.names:
-            for candidate in (folder / f"{alias.name}.py", folder / alias.name / "__init__.py"):
-                if candidate.is_file():
-                    yield candidate
-        for candidate in (folder.with_suffix(".py"), folder / "__init__.py"):
-            # Not curvlib/__init__.py, which offers everything and would tie all to all.
-            if parts and candidate.is_file():
-                yield candidate
+            written.append(repr(node))
+    return hashlib.sha256("\n".join(written).encode()).hexdigest(), tuple(used)
 
 
-def _without_docstrings(tree):
-    for node in ast.walk(tree):
-        match getattr(node, "body", None):
-            case [ast.Expr(value=ast.Constant(value=str())), *_]:
-                node.body[0].value.value = ""
-    return tree
+def _without_docstring(body):
+    match body:
+        case [ast.Expr(value=ast.Constant(value=str())), *rest]:
+            return rest
+    return body
+
+
+def _imported(node, path):
+    """Files of curvlib behind `from . import x`, `from curvlib.x import y`, `import curvlib.x`.
+
+    No `__init__.py`: a room's is one docstring, and that of curvlib would tie all to all.
+    """
+    names = [alias.name for alias in node.names]
+    if isinstance(node, ast.Import):
+        modules = [name.split(".") for name in names]
+        found = [PACKAGE.joinpath(*rest) for first, *rest in modules if first == PACKAGE.name]
+    else:
+        folder, parts = path.parents[max(node.level - 1, 0)], (node.module or "").split(".")
+        if not node.level:
+            if parts[0] != PACKAGE.name:
+                return []
+            folder, parts = PACKAGE, parts[1:]
+        folder = folder.joinpath(*parts)
+        found = [folder, *(folder / name for name in names)]
+    return [file for module in found if (file := module.with_suffix(".py")).is_file()]
+
+
+def _data_file(name, path):
+    """The file below a module's folder that a string in the module names, if it names one."""
+    if not 0 < len(name) < 256 or not name.isprintable() or name.endswith(".py"):
+        return []
+    file = path.parent / name
+    return [file] if file.is_file() and file.resolve().is_relative_to(path.parent) else []

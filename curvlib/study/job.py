@@ -6,27 +6,44 @@ import time
 import traceback
 from pathlib import Path
 
+from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError
 
 
 @contextlib.contextmanager
 def logged(path):
     """Send what is printed to a log file, and at the end how much processor time the job took,
-    to start and for its work. An error ends the job and stands in the log and on the terminal:
-    one line where the input is at fault, else the traceback."""
-    start = time.process_time()
+    to start and for its work.
+
+    The terminal shows the job's name and, where it fails, one line: what was wrong with the
+    input, with a file of estimators or surfaces, with the disk. The traceback is in the log; that
+    of a fault of ours stands on the terminal too.
+    """
+    start, terminal = time.process_time(), sys.stderr
+    print(_name(path), file=terminal, flush=True)
     with (
-        Path(path).open("w", buffering=1) as log,
+        Path(path).open("w", buffering=1, encoding="utf-8") as log,
         contextlib.redirect_stdout(log),
         contextlib.redirect_stderr(log),
     ):
         try:
             yield
         except Exception as error:
-            wrong_input = isinstance(error, InputError)
-            message = f"error: {error}" if wrong_input else traceback.format_exc()
-            for stream in (log, sys.__stderr__):
-                print(message, file=stream)
+            traceback.print_exc(file=log)
+            told = estimators.told(error) or surfaces.told(error)
+            if isinstance(error, InputError | OSError):
+                message = f"error: {error}"
+            elif told:
+                message = f"error: {told} (traceback: {path})"
+            else:
+                message = traceback.format_exc()
+            print(message, file=terminal, flush=True)
             sys.exit(1)
         work = time.process_time() - start
         print(f"processor time: {start:.2f} s to start, {work:.2f} s of work")
+
+
+def _name(path):
+    """The name of a job after its log: `estimate gauss_bonnet`, logs/estimate/gauss_bonnet.log."""
+    parts = Path(path).with_suffix("").parts
+    return " ".join(parts[parts.index("logs") + 1 :])

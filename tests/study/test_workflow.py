@@ -18,8 +18,11 @@ diagonals: [same]
 more: []
 vary: []
 product: []
+library: data/small
+results: results/small
 """
 FIGURES = {"claim_plots", "reading_plots", "error_plots_K", "error_plots_H", "error_maps"}
+ERRORS = "results/small/tables/errors.csv"
 AGGREGATES = {"accuracy", "claims", *FIGURES, "all"}
 
 
@@ -34,13 +37,13 @@ def study(tmp_path):
             shutil.copy(source, tmp_path / name)
     (tmp_path / "small.yaml").write_text(SMALL)
 
-    def run(*arguments, ok=True, config="small.yaml"):
+    def run(*arguments, ok=True, config="small.yaml", environment=None):
         command = [Path(sys.executable).with_name("snakemake"), *arguments, "--configfile", config]
         path = os.pathsep.join((str(Path(sys.executable).parent), os.environ["PATH"]))
         done = subprocess.run(
             command,
             cwd=tmp_path,
-            env=os.environ | {"PATH": path},
+            env=os.environ | {"PATH": path} | (environment or {}),
             capture_output=True,
             text=True,
             check=False,
@@ -50,6 +53,7 @@ def study(tmp_path):
         return output
 
     run.folder = tmp_path
+    run.write = lambda name, text: (tmp_path / name).write_text(text)
     return run
 
 
@@ -61,7 +65,7 @@ def rules(output):
 def contents(folder):
     return {
         str(p.relative_to(folder)): p.read_bytes()
-        for part in ("data/library", "results/tables", "results/figures")
+        for part in ("data/small", "results/small/tables", "results/small/figures")
         for p in sorted((folder / part).rglob("*"))
         if p.is_file()
     }
@@ -77,13 +81,21 @@ def test_reruns_what_changed_and_nothing_else(study):
     first = rules(study("--cores", "1"))
     assert first["library"] == first["estimate"] == 2
     one_core = contents(study.folder)
-    assert {"results/tables/errors.csv", "data/library/sphere/sphere.same.008.txt"} <= set(one_core)
+    assert {ERRORS, "data/small/sphere/sphere.same.008.txt"} <= set(one_core)
     assert "Nothing to be done" in study()
+
+    package = study.folder / "curvlib"
+    whole = study("--dry-run", "--quiet", config="config/config.yaml")
+    for folder, new, old in (("estimators", "mine", "watanabe_b"), ("surfaces", "ball", "sphere")):
+        shutil.copy(package / folder / f"{old}.py", package / folder / f"{new}.py")
+    assert "Nothing to be done" in study(), "a new file is no part of a study that lists its own"
+    assert study("--dry-run", "--quiet", config="config/config.yaml") == whole
+
     study("report")
-    report = (study.folder / "results/report.html").read_text()
+    report = (study.folder / "results/small/report.html").read_text()
     for text in ("1. Does the paper hold?", "Mean absolute error of the Gaussian curvature K"):
         assert text in report
-    assert "results/figures/claims.svg" in report
+    assert "results/small/figures/claims.svg" in report
 
     estimator = study.folder / "curvlib/estimators/paraboloid.py"
     replace(estimator, "return 4 * a * c - b * b, a + c", "return 4 * a * c - b * b, (a + c)  # H")
@@ -94,9 +106,7 @@ def test_reruns_what_changed_and_nothing_else(study):
     changed = rules(study("--cores", "2"))
     own = {"estimate": 1, "trials": 1}
     assert changed == {**own, **dict.fromkeys(AGGREGATES, 1), "total": 2 + len(AGGREGATES)}
-    assert (
-        contents(study.folder)["results/tables/errors.csv"] != one_core["results/tables/errors.csv"]
-    )
+    assert contents(study.folder)[ERRORS] != one_core[ERRORS]
 
     replace(estimator, "5 * a * c", "4 * a * c")
     study("--cores", "2", "--forceall")
@@ -108,68 +118,94 @@ def test_reruns_what_changed_and_nothing_else(study):
     assert "library" not in rules(study("--dry-run"))
 
 
-def test_a_new_file_is_all_it_takes(study):
-    """An estimator and a surface join by lying in their folders, where the config says `all`."""
-    (study.folder / "all.yaml").write_text("resolutions: [8]\nmore: []\nproduct: []")
+def test_a_new_file_joins_where_the_config_says_all(study):
+    """An estimator and a surface join `all` by lying in their folders, alone or in a list."""
+    study.write("all.yaml", "surfaces: all\nestimators: all\nresolutions: [8]\nmore: []")
     before = rules(study("--dry-run", config="all.yaml"))
-    files = study.folder / "curvlib"
-    shutil.copy(files / "estimators/watanabe_b.py", files / "estimators/mine.py")
-    shutil.copy(files / "surfaces/cylinder.py", files / "surfaces/pipe.py")
+    estimator = study.folder / "curvlib/estimators/mine.py"
+    shutil.copy(estimator.with_name("watanabe_b.py"), estimator)
+    replace(estimator, "#009E73", "#123456")
+    shutil.copy(study.folder / "curvlib/surfaces/cylinder.py", study.folder / "pipe.py")
+    shutil.copy(study.folder / "pipe.py", study.folder / "curvlib/surfaces/tube.py")
+    study.write("all.yaml", "surfaces: [all, pipe.py]\nestimators: all\nresolutions: [8]\nmore: []")
     after = rules(study("--dry-run", config="all.yaml"))
     assert after["estimate"] == before["estimate"] + 1
-    assert after["library"] == before["library"] + 1
-    (study.folder / "elsewhere").mkdir()
-    shutil.move(files / "estimators/mine.py", study.folder / "elsewhere/mine.py")
-    (study.folder / "small.yaml").write_text(
-        SMALL.replace("paraboloid", "elsewhere/mine.py").replace("teapot_spout", "pipe")
+    assert after["library"] == before["library"] + 2
+
+
+def test_an_estimator_and_a_surface_from_elsewhere(study):
+    for name, source in (("mine", "estimators/watanabe_b"), ("a pipe+1", "surfaces/cylinder")):
+        shutil.copy(study.folder / f"curvlib/{source}.py", study.folder / f"{name}.py")
+    text = (study.folder / "mine.py").read_text()
+    study.write("mine.py", re.sub("STYLE = .*", "", text))
+    surface = study.folder / "a pipe+1.py"
+    surface.write_text(
+        surface.read_text().replace("from ._shapes", "from curvlib.surfaces._shapes")
     )
-    study("--cores", "2")
-    errors = (study.folder / "results/tables/errors.csv").read_text()
-    assert "pipe,same,8,128,mine,default,K,mean," in errors
+    study.write(
+        "small.yaml",
+        SMALL.replace("paraboloid", "mine.py, watanabe_b").replace("teapot_spout", "a pipe+1.py"),
+    )
+    output = study("--cores", "2")
+    assert "estimate mine\n" in output
+    assert "library a pipe+1\n" in output
+    assert re.search("^tables +results/small/tables$", output, re.M), "says where tables are"
+    errors = (study.folder / ERRORS).read_text()
+    assert "a pipe+1,same,8,128,mine,default,K,mean," in errors
+
+
+def test_a_fault_in_a_strangers_file_is_one_line(study):
+    study.write(
+        "mine.py", "LABEL = 'Mine'\n\n\ndef estimate(ring):\n    raise ValueError('not today')\n"
+    )
+    study.write("small.yaml", SMALL.replace("paraboloid", "mine.py"))
+    output = study("results/small/estimates/mine.csv", ok=False)
+    (line,) = (line for line in output.splitlines() if "not today" in line)
+    log = "results/small/logs/estimate/mine.log"
+    assert line == f"error: estimator mine.py, line 5: ValueError: not today (traceback: {log})"
+    assert "in for_each" not in output
+    assert "Traceback" in (study.folder / log).read_text()
 
 
 def test_a_study_without_what_the_paper_looked_at(study):
     """None of its seven surfaces, none of its two favourites: everything is made all the same."""
     text = SMALL.replace("[sphere, teapot_spout]", "[cone_apex]")
     text = text.replace("[gauss_bonnet, paraboloid]", "[taubin]")
-    (study.folder / "small.yaml").write_text(text)
+    study.write("small.yaml", text)
     study()
-    figures = {path.stem for path in (study.folder / "results/figures").glob("*.png")}
+    figures = {path.stem for path in (study.folder / "results/small/figures").glob("*.png")}
     assert {"figure-1", "claims", "readings-claim-9", "ranks-K", "rings-H"} <= figures
-    summary = (study.folder / "results/tables/claims-summary.csv").read_text()
+    summary = (study.folder / "results/small/tables/claims-summary.csv").read_text()
     assert "of 1" in summary
 
 
-@pytest.mark.parametrize(
-    ("config", "message"),
-    [
-        ("surfaces: [sphre]", "surfaces: unknown surface 'sphre'; did you mean 'sphere'?"),
-        ("estimators: [taubn]", "estimators: unknown estimator 'taubn'; did you mean 'taubin'?"),
-        ("estimators: []", "estimators has to be a list that is not empty"),
-        ("resolutions: [8, 2]", "resolutions: resolution 2 is not an integer of at least 3"),
-        ("resolutions: [8.5]", "resolutions: resolution 8.5 is not an integer of at least 3"),
-        ("diagonals: [shortst]", "unknown diagonal 'shortst'; did you mean 'shortest'?"),
-        ("reading: {}", "unknown key 'reading'; did you mean 'readings'?"),
-        ("diagonals: [same-1]", "a seed is a number, after random or jittered alone"),
-        ("more: [{diagonals: [same]}]", "needs exactly diagonals and resolutions"),
-        ("readings: {a: {are: half}}", "unknown option 'are'; did you mean 'area'?"),
-        (
-            "readings: {a: {area: halv}}",
-            "reading 'a': unknown area 'halv'; did you mean 'half'?",
-        ),
-        ("readings: {default: {area: half}}", "'default' has to make none"),
-        ("vary: [pears]", "vary: unknown option 'pears'; did you mean 'pairs'?"),
-        ("results: Snakefile", "'Snakefile' is not a folder"),
-        ("library: none.zip", "library: none.zip: missing"),
-    ],
-)
-def test_a_mistake_is_one_line_before_any_job(study, config, message):
-    (study.folder / "small.yaml").write_text(config)
-    output = study(ok=False)
-    (line,) = (line for line in output.splitlines() if line.startswith("error: config: "))
-    assert message in line
-    assert not (study.folder / "results").exists()
-    assert not (study.folder / "data").exists()
+def test_a_mistake_is_one_line_before_any_job(study):
+    """In the file or on the command line; every kind of mistake is in test_config.py."""
+    study.write("small.yaml", "surfaces: [sphre]")
+    for arguments, message in (
+        ((), "surfaces: unknown surface 'sphre'; did you mean 'sphere'?"),
+        (("--config", "results="), "results has to be the path of a folder"),
+        (("--config", "surfaces=[sphere]", "resolutions=[8]"), "'8' has to be an integer"),
+        (("--config", "surfaces=[sphere]"), "results: the tables of the study of config.yaml"),
+    ):
+        output = study(*arguments, ok=False)
+        (line,) = (line for line in output.splitlines() if line.startswith("error: config: "))
+        assert message in line
+        assert "Traceback" not in output
+        assert not (study.folder / "results").exists()
+        assert not (study.folder / "data").exists()
+
+
+def test_a_library_named_on_the_command_line_is_there(study):
+    output = study("--dry-run", "--config", "library=data/smal", ok=False)
+    assert "error: config: library: 'data/smal' does not exist" in output
+    assert "they are made in data/small" in study("--dry-run")
+
+
+def test_a_locale_without_utf_8_and_no_home(study):
+    ascii_only = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+    study("results/small/estimates/paraboloid.csv", environment={**ascii_only, "HOME": "/proc"})
+    assert "Nothing to be done" in study("results/small/estimates/paraboloid.csv")
 
 
 def test_readme_shows_what_the_study_says(study):
@@ -202,17 +238,17 @@ def test_readme_shows_what_the_study_says(study):
 
 def test_truncated_library_file(study):
     study("--cores", "2", "--until", "library")
-    path = study.folder / "data/library/sphere/sphere.same.012.vtkhdf"
+    path = study.folder / "data/small/sphere/sphere.same.012.vtkhdf"
     path.write_bytes(path.read_bytes()[:3000])
-    output = study("--cores", "1", "results/estimates/paraboloid.h5", ok=False)
-    assert "error: data/library/sphere/sphere.same.012.vtkhdf: cut off or not HDF5" in output
+    output = study("--cores", "1", "results/small/estimates/paraboloid.h5", ok=False)
+    assert "error: data/small/sphere/sphere.same.012.vtkhdf: cut off or not HDF5" in output
     assert not list(study.folder.glob("results/**/*.h5*"))
 
 
 def test_archive_takes_the_place_of_the_meshes(study, monkeypatch):
     for name in ("CITATION.cff", "LICENSE-data", "requirements.lock"):
         shutil.copy(ROOT / name, study.folder)
-    results = study.folder / "results"
+    results = study.folder / "results/small"
     first = rules(study("--cores", "1", "dataset"))
     assert first == {"library": 2, "nurbs": 1, "dataset": 1, "total": 4}
     (archive,) = (results / "dataset").glob("*.zip")
@@ -230,6 +266,6 @@ def test_archive_takes_the_place_of_the_meshes(study, monkeypatch):
     study("figures", "--config", f"library={downloaded}")
     assert contents(study.folder) == computed, "or meshes were made"
 
-    (study.folder / "small.yaml").write_text(SMALL.replace("teapot_spout", "cone"))
+    study.write("small.yaml", SMALL.replace("teapot_spout", "cone"))
     output = study("figures", "--config", f"library={downloaded}", ok=False)
     assert f"{downloaded}: unknown surface 'cone'; did you mean" in output

@@ -15,7 +15,7 @@ rule accuracy:
     conda:
         "../envs/curvlib.yaml"
     params:
-        readings=reading_rows(study.all_readings()),
+        readings=study.rows(study.all_readings()),
         full=FULL,
         code=code("accuracy"),
     script:

@@ -19,7 +19,7 @@ rule claims:
     conda:
         "../envs/curvlib.yaml"
     params:
-        readings=reading_rows(study.all_readings() | study.products()),
+        readings=study.rows(study.all_readings() | study.products()),
         named=list(study.readings),
         singles=list(study.single_changes()),
         diagonals=study.diagonals,

@@ -1,5 +1,6 @@
 # What all stages share. In: config. Out: `study`, checked; code(), what a result depends on.
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -11,9 +12,9 @@ sys.path.insert(0, workflow.basedir)
 from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError
 from curvlib.dataset.library import mesh_files
-from curvlib.comparison.norms import VERTICES
 from curvlib.study.digest import digest
-from curvlib.study.config import Study, variant
+from curvlib.study.config import Study
+from curvlib.study.readings import error_figures, stem_of
 
 # One thread per job: jobs run side by side, and sums come out the same on any machine.
 os.environ |= {
@@ -22,10 +23,22 @@ os.environ |= {
     "PYTHONPATH": os.pathsep.join([workflow.basedir, os.environ.get("PYTHONPATH", "")]),
 }
 
+# The study of config.yaml, which an overlay may not overwrite.
+OWN = yaml.safe_load(Path(workflow.basedir, "config/config.yaml").read_text(encoding="utf-8"))
+
 try:
     study = Study(config)
+    THE_STUDY = study.is_that_of(OWN)
+    if not THE_STUDY:
+        study.check_places(OWN)
 except InputError as error:
     sys.exit(f"error: {error}")
+
+if workflow.is_main_process and not study.library.exists():
+    # A folder named on the command line is one that is there: 750 MB are not made for a typing error.
+    if "library" in workflow.config_settings.config:
+        sys.exit(f"error: config: library: {str(study.library)!r} does not exist")
+    print(f"There are no meshes yet; they are made in {study.library}", file=sys.stderr)
 
 
 def code(script, *files):
@@ -33,15 +46,9 @@ def code(script, *files):
     return digest(Path(workflow.basedir, "workflow", "scripts", f"{script}.py"), *files)
 
 
-# Whether this is the study that config.yaml describes, wherever its files lie.
-PLACES = {key: config[key] for key in ("library", "results")}
-THE_STUDY = (
-    config == yaml.safe_load(Path(workflow.basedir, "config/config.yaml").read_text()) | PLACES
-)
-
 # Files outside the package are known to the rules by their stems.
-SURFACES = {Path(name).stem: name for name in study.surfaces}
-ESTIMATORS = {Path(name).stem: name for name in study.estimators}
+SURFACES = {stem_of(name): name for name in study.surfaces}
+ESTIMATORS = {stem_of(name): name for name in study.estimators}
 MODULES = [*map(estimators.path, study.estimators), *map(surfaces.path, study.surfaces)]
 
 
@@ -65,33 +72,12 @@ LIBRARY = files_of(MESHES)
 
 FIGURES = study.results / "figures"
 
-# The paper's figures of errors, by quantity: their surfaces.
-PAPER_FIGURES = {
-    "K": {"figure-3": "revolution", "figure-5": "teapot_spout"},
-    "H": {"figure-4": "revolution", "figure-6": "teapot_spout"},
-}
-
 # The report is grouped by these.
 HOLDS = "1. Does the paper hold?"
 ERRORS_FALL = "2. How large are errors?"
 WHERE = "3. Where are they?"
 MEASURED_ON = "4. Measured on what?"
 HOW_FAST = "5. How fast is it?"
-
-
-def reading_rows(readings):
-    """Rows reading, estimator, variant, counted, more: what each reading means."""
-    return [
-        {
-            "reading": name,
-            "estimator": stem,
-            "variant": variant(study.options(file, reading)),
-            "counted": reading.get("vertices", VERTICES[0]),
-            "more": name in study.more_readings,
-        }
-        for name, reading in readings.items()
-        for stem, file in ESTIMATORS.items()
-    ]
 
 
 def caption(figure):
@@ -122,18 +108,6 @@ def drawn(figures, question, kinds=("svg", "png")):
     return [reported(FIGURES / f"{f}.{kinds[0]}", question, f) for f in figures] + others
 
 
-def error_figures(quantity):
-    """Figure name -> (surface, resolutions), of all error plots of a quantity: the paper's with
-    its own resolutions, the others with all."""
-    every = sorted({n for _, n in CUTS})
-    paper = {
-        figure: (surface, study.resolutions)
-        for figure, surface in PAPER_FIGURES[quantity].items()
-        if surface in SURFACES
-    }
-    return {f"error-{quantity}-{s}": (s, every) for s in SURFACES} | paper
-
-
 wildcard_constraints:
-    surface="|".join(SURFACES),
-    estimator="|".join(ESTIMATORS),
+    surface="|".join(map(re.escape, SURFACES)),
+    estimator="|".join(map(re.escape, ESTIMATORS)),

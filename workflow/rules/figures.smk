@@ -4,20 +4,7 @@ from curvlib.claims.sentences import CLAIMS
 
 CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in "KH")]
 READING_FIGURES = [f"readings-claim-{number}" for number in range(1, len(CLAIMS) + 1)]
-ERROR_FIGURES = [figure for quantity in "KH" for figure in error_figures(quantity)]
-
-# What claim 8 is about, with the paper's normals and with exact ones: estimator, variant, label.
-RING_CURVES = [
-    (name, key, label)
-    for name, reading, label in (
-        ("gauss_bonnet", {}, "Gauss-Bonnet"),
-        ("paraboloid", {}, "Paraboloid, estimated normals"),
-        ("paraboloid", {"normal": "exact"}, "Paraboloid, exact normals"),
-    )
-    if name in ESTIMATORS
-    and (key := variant(study.options(ESTIMATORS[name], reading)))
-    in study.variants(ESTIMATORS[name])
-]
+ERROR_FIGURES = [figure for quantity in "KH" for figure in error_figures(study, quantity)]
 
 
 rule figures:
@@ -40,14 +27,14 @@ for quantity in "KH":
             errors=rules.accuracy.output.errors,
             convergence=rules.accuracy.output.convergence,
         output:
-            drawn(error_figures(quantity), ERRORS_FALL),
+            drawn(error_figures(study, quantity), ERRORS_FALL),
         log:
             study.results / f"logs/error_plots_{quantity}.log",
         conda:
             "../envs/curvlib.yaml"
         params:
             quantity=quantity,
-            figures=error_figures(quantity),
+            figures=error_figures(study, quantity),
             folder=FIGURES,
             estimators=ESTIMATORS,
             surfaces=SURFACES,
@@ -72,7 +59,7 @@ rule claim_plots:
     params:
         diagonal=study.diagonals[0],
         n=study.resolutions[-1],
-        rings=RING_CURVES,
+        rings=study.ring_curves(),
         folder=FIGURES,
         estimators=ESTIMATORS,
         surfaces=SURFACES,

@@ -21,5 +21,5 @@ with logged(snakemake.log[0]):
     claims.to_csv(output.claims, index=False)
     table = summary(claims, params.named, params.singles, params.diagonals)
     table.to_csv(output.summary, index=False)
-    Path(output.answer).write_text(answer(table))
-    Path(output.words).write_text(in_words(table))
+    Path(output.answer).write_text(answer(table), encoding="utf-8")
+    Path(output.words).write_text(in_words(table), encoding="utf-8")

@@ -10,7 +10,9 @@ BEGIN, END = "<!-- answer: written by `snakemake readme` -->", "<!-- end of answ
 
 with logged(snakemake.log[0]):
     for document, answer in zip(snakemake.params.documents, snakemake.input.answers):
-        path, text = Path(document), Path(answer).read_text()
+        path, text = Path(document), Path(answer).read_text(encoding="utf-8")
         pattern = re.compile(f"(?<={BEGIN}\n).*(?={END})", re.DOTALL)
-        path.write_text(pattern.sub(lambda _, text=text: f"\n{text}\n", path.read_text()))
+        before = path.read_text(encoding="utf-8")
+        after = pattern.sub(lambda _, text=text: f"\n{text}\n", before)
+        path.write_text(after, encoding="utf-8")
     shutil.copy(snakemake.input.figure, snakemake.params.figure)

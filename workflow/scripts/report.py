@@ -7,7 +7,10 @@ import tempfile
 
 from curvlib.study.job import logged
 
-with logged(snakemake.log[0]), tempfile.NamedTemporaryFile("w", suffix=".json") as config:
+with (
+    logged(snakemake.log[0]),
+    tempfile.NamedTemporaryFile("w", suffix=".json", encoding="utf-8") as config,
+):
     json.dump(snakemake.params.config, config)
     config.flush()
     command = [sys.executable, "-m", "snakemake", "all", "--report", snakemake.output[0]]

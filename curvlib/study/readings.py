@@ -1,0 +1,157 @@
+"""The readings of a study: which options each estimator is run with, under which names."""
+
+import hashlib
+import itertools
+from pathlib import Path
+
+from curvlib.comparison.norms import VERTICES
+from curvlib.estimation import readings as estimator_options
+
+# The paper's figures of errors, by quantity: their surfaces.
+PAPER_FIGURES = {
+    "K": {"figure-3": "revolution", "figure-5": "teapot_spout"},
+    "H": {"figure-4": "revolution", "figure-6": "teapot_spout"},
+}
+
+# What claim 8 is about, with the paper's normals and with exact ones: estimator, reading, label.
+ON_RINGS = (
+    ("gauss_bonnet", {}, "Gauss-Bonnet"),
+    ("paraboloid", {}, "Paraboloid, estimated normals"),
+    ("paraboloid", {"normal": "exact"}, "Paraboloid, exact normals"),
+)
+
+
+class Readings:
+    """What follows from a study's `estimators`, `readings`, `more_readings`, `vary`, `product`.
+
+    A reading is a choice, option -> value. An estimator makes it where it has the option and
+    knows the value; else it keeps its default.
+    """
+
+    def choices(self) -> dict[str, tuple]:
+        """Every option of the study's estimators, and `vertices`: its values, defaults first."""
+        return choices_of(self.estimators)
+
+    def single_changes(self) -> dict[str, dict]:
+        """A reading, by name, for each value that differs from some estimator's default."""
+        choices, default = self.choices(), self._effect({})
+        single = [{option: value} for option in self.vary for value in choices.get(option, ())]
+        return {name_of(choice): choice for choice in single if self._effect(choice) != default}
+
+    def all_readings(self) -> dict[str, dict]:
+        """The readings of the tables: those of the config, then the single changes."""
+        return self.readings | self.single_changes()
+
+    def products(self) -> dict[str, dict]:
+        """A reading, by name, for each combination of the options in `product`."""
+        choices = self.choices()
+        options = [option for option in self.product if option in choices]
+        values = itertools.product(*(choices[option] for option in options))
+        combinations = [dict(zip(options, v)) for v in values] if options else []
+        return {name_of(choice): choice for choice in combinations}
+
+    def named_products(self) -> dict[str, str]:
+        """The products that some of the `readings` come to: product -> reading.
+
+        They do where every estimator of the study has the same options in both.
+        """
+        effects = {product: self._effect(choice) for product, choice in self.products().items()}
+        return {
+            product: name
+            for name, reading in self.readings.items()
+            for product, effect in effects.items()
+            if effect == self._effect(reading)
+        }
+
+    def options(self, estimator: str, reading: dict) -> dict:
+        """All options of an estimator in a reading: what it knows of that, else its defaults."""
+        known = estimator_options(estimator)
+        return {
+            option: reading[option] if reading.get(option) in values else values[0]
+            for option, values in known.items()
+        }
+
+    def variants(self, estimator: str) -> dict[str, dict]:
+        """The distinct options of an estimator over all readings, by key, the default's first:
+        each is run once."""
+        every = [{}, *self.all_readings().values(), *self.products().values()]
+        chosen = (self.options(estimator, reading) for reading in every)
+        return {variant(options): options for options in chosen}
+
+    def more_variants(self, estimator: str) -> list[str]:
+        """The keys of those variants that are run on every mesh."""
+        chosen = (self.options(estimator, self.readings[name]) for name in self.more_readings)
+        return list(dict.fromkeys(map(variant, chosen)))
+
+    def rows(self, readings: dict) -> "Rows":
+        """What each reading means: rows reading, estimator (its stem), variant, counted, more."""
+        return Rows(
+            {
+                "reading": name,
+                "estimator": stem_of(estimator),
+                "variant": variant(self.options(estimator, reading)),
+                "counted": reading.get("vertices", VERTICES[0]),
+                "more": name in self.more_readings,
+            }
+            for name, reading in readings.items()
+            for estimator in self.estimators
+        )
+
+    def ring_curves(self) -> list[tuple]:
+        """Those of ON_RINGS that the study runs: estimator, variant, label."""
+        files = {stem_of(estimator): estimator for estimator in self.estimators}
+        return [
+            (stem, key, label)
+            for stem, reading, label in ON_RINGS
+            if stem in files
+            and (key := variant(self.options(files[stem], reading))) in self.variants(files[stem])
+        ]
+
+    def _effect(self, reading):
+        """What a reading changes: every estimator's options, and the vertices that count."""
+        options = {name: self.options(name, reading) for name in self.estimators}
+        return options, reading.get("vertices", VERTICES[0])
+
+
+class Rows(list):
+    """Rows that stand as their number and a digest among a job's parameters, in the report too."""
+
+    def __repr__(self):
+        return f"{len(self)} rows, {hashlib.sha256(super().__repr__().encode()).hexdigest()[:16]}"
+
+
+def error_figures(study, quantity: str) -> dict[str, tuple]:
+    """The error plots of a quantity, figure -> (surface, resolutions): one of each surface with
+    all resolutions, and the paper's with those that all readings are run on."""
+    every = sorted({n for _, n, _ in study.meshes()})
+    stems = list(map(stem_of, study.surfaces))
+    paper = {
+        figure: (surface, study.resolutions)
+        for figure, surface in PAPER_FIGURES[quantity].items()
+        if surface in stems
+    }
+    return {f"error-{quantity}-{stem}": (stem, every) for stem in stems} | paper
+
+
+def choices_of(names) -> dict[str, tuple]:
+    """Every option of the estimators, and `vertices`: its values, defaults first."""
+    found = {}
+    for name in names:
+        for option, values in estimator_options(name).items():
+            found[option] = tuple(dict.fromkeys((*found.get(option, ()), *values)))
+    return found | {"vertices": VERTICES}
+
+
+def name_of(choice: dict) -> str:
+    """The name of a reading after its choices: `area=half,dihedral=unsigned`."""
+    return ",".join(f"{option}={value}" for option, value in choice.items())
+
+
+def variant(options: dict) -> str:
+    """The key of an option set in result files: `area=third,dihedral=signed`."""
+    return name_of(dict(sorted(options.items()))) or "-"
+
+
+def stem_of(name: str) -> str:
+    """What an estimator or surface is called in rules and results: a path's stem."""
+    return Path(name).stem
