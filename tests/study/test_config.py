@@ -10,17 +10,9 @@ import curvlib
 from curvlib.study.config import Study
 
 ROOT = Path(__file__).parents[2]
-NINE = [
-    "circular",
-    "gauss_bonnet",
-    "paraboloid",
-    "taubin",
-    "taubin_a",
-    "taubin_b",
-    "watanabe",
-    "watanabe_a",
-    "watanabe_b",
-]
+NINE = """
+circular gauss_bonnet paraboloid taubin taubin_a taubin_b watanabe watanabe_a watanabe_b
+"""
 NUMBERS_AS_TEXT = "text: --config delivers no numbers, a file for --configfile does"
 
 MISTAKES = [
@@ -160,7 +152,7 @@ def test_files_are_checked_when_the_study_is_read(config, tmp_path):
 
 def test_the_study_names_what_it_runs():
     config = yaml.safe_load((ROOT / "config/config.yaml").read_text(encoding="utf-8"))
-    assert config["estimators"] == NINE
+    assert " ".join(config["estimators"]) == NINE.strip()
     assert len(config["surfaces"]) == 9
 
 
@@ -177,9 +169,8 @@ def test_an_overlay_cannot_overwrite_the_study(config):
     study({"estimators": ["taubin"]} | elsewhere).check_places(config)
     with pytest.raises(curvlib.InputError, match="library: the meshes of the study"):
         study({"resolutions": [8]} | elsewhere).check_places(config)
-    study({"resolutions": [8], "library": config["library"] + "/b"} | elsewhere).check_places(
-        config
-    )
+    elsewhere["library"] = config["library"] + "/mine"
+    study({"resolutions": [8]} | elsewhere).check_places(config)
 
 
 def test_meshes(config):

@@ -85,11 +85,11 @@ def test_reruns_what_changed_and_nothing_else(study):
     assert "Nothing to be done" in study()
 
     package = study.folder / "curvlib"
-    whole = study("--dry-run", "--quiet", config="config/config.yaml")
+    whole = rules(study("--dry-run", "figures", config="config/config.yaml"))
     for folder, new, old in (("estimators", "mine", "watanabe_b"), ("surfaces", "ball", "sphere")):
         shutil.copy(package / folder / f"{old}.py", package / folder / f"{new}.py")
     assert "Nothing to be done" in study(), "a new file is no part of a study that lists its own"
-    assert study("--dry-run", "--quiet", config="config/config.yaml") == whole
+    assert rules(study("--dry-run", "figures", config="config/config.yaml")) == whole
 
     study("report")
     report = (study.folder / "results/small/report.html").read_text()
@@ -120,14 +120,15 @@ def test_reruns_what_changed_and_nothing_else(study):
 
 def test_a_new_file_joins_where_the_config_says_all(study):
     """An estimator and a surface join `all` by lying in their folders, alone or in a list."""
-    study.write("all.yaml", "surfaces: all\nestimators: all\nresolutions: [8]\nmore: []")
+    rest = SMALL[SMALL.index("resolutions") :]
+    study.write("all.yaml", f"surfaces: all\nestimators: all\n{rest}")
     before = rules(study("--dry-run", config="all.yaml"))
     estimator = study.folder / "curvlib/estimators/mine.py"
     shutil.copy(estimator.with_name("watanabe_b.py"), estimator)
     replace(estimator, "#009E73", "#123456")
     shutil.copy(study.folder / "curvlib/surfaces/cylinder.py", study.folder / "pipe.py")
     shutil.copy(study.folder / "pipe.py", study.folder / "curvlib/surfaces/tube.py")
-    study.write("all.yaml", "surfaces: [all, pipe.py]\nestimators: all\nresolutions: [8]\nmore: []")
+    study.write("all.yaml", f"surfaces: [all, pipe.py]\nestimators: all\n{rest}")
     after = rules(study("--dry-run", config="all.yaml"))
     assert after["estimate"] == before["estimate"] + 1
     assert after["library"] == before["library"] + 2
@@ -138,10 +139,7 @@ def test_an_estimator_and_a_surface_from_elsewhere(study):
         shutil.copy(study.folder / f"curvlib/{source}.py", study.folder / f"{name}.py")
     text = (study.folder / "mine.py").read_text()
     study.write("mine.py", re.sub("STYLE = .*", "", text))
-    surface = study.folder / "a pipe+1.py"
-    surface.write_text(
-        surface.read_text().replace("from ._shapes", "from curvlib.surfaces._shapes")
-    )
+    replace(study.folder / "a pipe+1.py", "from ._shapes", "from curvlib.surfaces._shapes")
     study.write(
         "small.yaml",
         SMALL.replace("paraboloid", "mine.py, watanabe_b").replace("teapot_spout", "a pipe+1.py"),
