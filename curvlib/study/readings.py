@@ -40,7 +40,7 @@ class Readings:
 
     def all_readings(self) -> dict[str, dict]:
         """The readings of the tables: those of the config, then the single changes."""
-        return self.readings | self.single_changes()
+        return Named(self.readings | self.single_changes())
 
     def products(self) -> dict[str, dict]:
         """A reading, by name, for each combination of the options in `product`."""
@@ -48,7 +48,7 @@ class Readings:
         options = [option for option in self.product if option in choices]
         values = itertools.product(*(choices[option] for option in options))
         combinations = [dict(zip(options, v)) for v in values] if options else []
-        return {name_of(choice): choice for choice in combinations}
+        return Named({name_of(choice): choice for choice in combinations})
 
     def named_products(self) -> dict[str, str]:
         """The products that some of the `readings` come to: product -> reading.
@@ -76,7 +76,7 @@ class Readings:
         each is run once."""
         every = [{}, *self.all_readings().values(), *self.products().values()]
         chosen = (self.options(estimator, reading) for reading in every)
-        return {variant(options): options for options in chosen}
+        return Named({variant(options): options for options in chosen})
 
     def more_variants(self, estimator: str) -> list[str]:
         """The keys of those variants that are run on every mesh."""
@@ -113,24 +113,20 @@ class Readings:
         return options, reading.get("vertices", VERTICES[0])
 
 
-class Rows(list):
-    """Rows that stand as their number and a digest among a job's parameters, in the report too."""
+class _Brief:
+    """Stands as its length and a digest among a job's parameters, and so in the report."""
 
     def __repr__(self):
-        return f"{len(self)} rows, {hashlib.sha256(super().__repr__().encode()).hexdigest()[:16]}"
+        digest = hashlib.sha256(super().__repr__().encode()).hexdigest()[:16]
+        return f"{len(self)} entries, {digest}"
 
 
-def error_figures(study, quantity: str) -> dict[str, tuple]:
-    """The error plots of a quantity, figure -> (surface, resolutions): one of each surface with
-    all resolutions, and the paper's with those that all readings are run on."""
-    every = sorted({n for _, n, _ in study.meshes()})
-    stems = list(map(stem_of, study.surfaces))
-    paper = {
-        figure: (surface, study.resolutions)
-        for figure, surface in PAPER_FIGURES[quantity].items()
-        if surface in stems
-    }
-    return {f"error-{quantity}-{stem}": (stem, every) for stem in stems} | paper
+class Rows(_Brief, list):
+    """Rows of a table."""
+
+
+class Named(_Brief, dict):
+    """Readings or options by name."""
 
 
 def choices_of(names) -> dict[str, tuple]:
