@@ -5,6 +5,11 @@ SHELL := /bin/sh
 PYTHON ?= python3
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
 
+# Snakemake and compiled code keep files in the home folder; without one, here.
+ifneq ($(shell mkdir -p "$$HOME/.cache" 2>/dev/null && echo yes),yes)
+export XDG_CACHE_HOME ?= $(CURDIR)/.venv/cache
+endif
+
 .PHONY: study test lint lock clean
 
 study: .venv/ready

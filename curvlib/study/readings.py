@@ -129,6 +129,19 @@ class Named(_Brief, dict):
     """Readings or options by name."""
 
 
+def error_figures(study, quantity: str) -> dict[str, tuple]:
+    """The error plots of a quantity, figure -> (surface, resolutions): one of each surface with
+    all resolutions, and the paper's with those that all readings are run on."""
+    every = sorted({n for _, n, _ in study.meshes()})
+    stems = list(map(stem_of, study.surfaces))
+    paper = {
+        figure: (surface, study.resolutions)
+        for figure, surface in PAPER_FIGURES[quantity].items()
+        if surface in stems
+    }
+    return {f"error-{quantity}-{stem}": (stem, every) for stem in stems} | paper
+
+
 def choices_of(names) -> dict[str, tuple]:
     """Every option of the estimators, and `vertices`: its values, defaults first."""
     found = {}

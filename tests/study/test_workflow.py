@@ -126,8 +126,10 @@ def test_a_new_file_joins_where_the_config_says_all(study):
     estimator = study.folder / "curvlib/estimators/mine.py"
     shutil.copy(estimator.with_name("watanabe_b.py"), estimator)
     replace(estimator, "#009E73", "#123456")
-    shutil.copy(study.folder / "curvlib/surfaces/cylinder.py", study.folder / "pipe.py")
-    shutil.copy(study.folder / "pipe.py", study.folder / "curvlib/surfaces/tube.py")
+    surface = study.folder / "curvlib/surfaces/tube.py"
+    shutil.copy(surface.with_name("cylinder.py"), surface)
+    replace(surface, "from ._shapes", "from curvlib.surfaces._shapes")
+    shutil.copy(surface, study.folder / "pipe.py")
     study.write("all.yaml", f"surfaces: [all, pipe.py]\nestimators: all\n{rest}")
     after = rules(study("--dry-run", config="all.yaml"))
     assert after["estimate"] == before["estimate"] + 1
@@ -201,9 +203,21 @@ def test_a_library_named_on_the_command_line_is_there(study):
 
 
 def test_a_locale_without_utf_8_and_no_home(study):
+    """Snakemake itself needs a cache: where there is no home `make` names a folder for it."""
+    target = "results/small/estimates/paraboloid.csv"
     ascii_only = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
-    study("results/small/estimates/paraboloid.csv", environment={**ascii_only, "HOME": "/proc"})
-    assert "Nothing to be done" in study("results/small/estimates/paraboloid.csv")
+    cache = os.environ.get("XDG_CACHE_HOME", str(Path.home() / ".cache"))
+    study(target, environment={**ascii_only, "HOME": "/proc", "XDG_CACHE_HOME": cache})
+    assert "Nothing to be done" in study(target)
+
+    command = ["make", "--dry-run", "--print-data-base", "study"]
+    bare = {k: v for k, v in os.environ.items() if k != "XDG_CACHE_HOME"}
+    for home, named in (("/proc", f"{ROOT}/.venv/cache"), (str(study.folder), None)):
+        done = subprocess.run(
+            command, cwd=ROOT, env=bare | {"HOME": home}, capture_output=True, text=True, check=True
+        )
+        found = re.search(r"^(?:export )?XDG_CACHE_HOME :?= (.*)$", done.stdout, re.M)
+        assert (found and found[1]) == named
 
 
 def test_readme_shows_what_the_study_says(study):
