@@ -41,20 +41,18 @@ class Study(Readings):
             }
             for block in config["more"]
         ]
-        # Readings of config.yaml hold in a study of fewer estimators: options of all are known.
-        known = choices_of(dict.fromkeys((*self.estimators, *estimators.names())))
         self.readings = {name: choice or {} for name, choice in config["readings"].items()}
-        for name, choice in self.readings.items():
-            for option, value in choice.items():
-                check_name("option", option, known, f"config: reading {name!r}")
-                check_name(option, value, known[option], f"config: reading {name!r}")
         self.more_readings = config["more_readings"]
+        self.vary, self.product = config["vary"], config["product"]
+        try:
+            self._check_options(self.choices())
+        except InputError:
+            # An overlay with some of the nine has all readings of config.yaml: options of the
+            # package's other estimators are valid, and are looked up only if one is used.
+            names = dict.fromkeys((*self.estimators, *estimators.names()))
+            self._check_options(choices_of(names))
         for name in self.more_readings:
             check_name("reading", name, self.readings, "config: more_readings")
-        self.vary, self.product = config["vary"], config["product"]
-        for key in ("vary", "product"):
-            for option in config[key]:
-                check_name("option", option, known, f"config: {key}")
         self.library = _library(config["library"])
         self.results = _folder("results", config["results"])
 
@@ -93,6 +91,15 @@ class Study(Readings):
                 "name a folder of its own, such as data/mine"
             )
 
+    def _check_options(self, known):
+        for name, choice in self.readings.items():
+            for option, value in choice.items():
+                check_name("option", option, known, f"config: reading {name!r}")
+                check_name(option, value, known[option], f"config: reading {name!r}")
+        for key, options in (("vary", self.vary), ("product", self.product)):
+            for option in options:
+                check_name("option", option, known, f"config: {key}")
+
     def _here(self, config):
         """The study of another config with its files where this one's are."""
         return Study(config | {"library": str(self.library), "results": str(self.results)})
@@ -100,7 +107,6 @@ class Study(Readings):
 
 def _check_types(config):
     """Raise InputError for an unknown or missing key and for a value of the wrong type."""
-    # Imported here, since this takes 0.1 s and a job does without.
     from jsonschema import Draft202012Validator
 
     schema = _schema()

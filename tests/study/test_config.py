@@ -7,6 +7,7 @@ import pytest
 import yaml
 
 import curvlib
+from curvlib.catalogue import estimators
 from curvlib.study.config import Study
 
 ROOT = Path(__file__).parents[2]
@@ -61,6 +62,7 @@ MISTAKES = [
     ("results:", "results has to be the path of a folder, not None"),
     ("results: ''", "results has to be the path of a folder, not ''"),
     (f"results: {__file__}", "is not a folder"),
+    ("readings: {default: {}, a: {area: [half]}}", "unknown area ['half']; valid: third"),
 ]
 
 
@@ -154,6 +156,14 @@ def test_the_study_names_what_it_runs():
     config = yaml.safe_load((ROOT / "config/config.yaml").read_text(encoding="utf-8"))
     assert " ".join(config["estimators"]) == NINE.strip()
     assert len(config["surfaces"]) == 9
+
+
+def test_a_broken_file_that_the_study_does_not_name(config, monkeypatch):
+    names = [*estimators.names(), "broken"]
+    monkeypatch.setattr(estimators, "names", lambda: names)
+    Study(config)
+    with pytest.raises(curvlib.InputError, match="broken"):
+        Study(config | {"estimators": "all"})
 
 
 def test_an_overlay_cannot_overwrite_the_study(config):
