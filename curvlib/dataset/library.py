@@ -14,6 +14,7 @@ from curvlib.errors import InputError, check_name
 from curvlib.files import no_such_file, open_archive, open_hdf5
 from curvlib.meshes.mesh import Mesh
 
+from .sums import check_unchanged
 from .vtkhdf import read_vtkhdf
 
 # One file of each per mesh; it is loaded from the first.
@@ -105,8 +106,12 @@ class Library(Mapping):
         return key in self._files
 
     def __getitem__(self, key) -> Mesh:
-        with open_hdf5(*self._files[key]) as file:
-            return read_vtkhdf(file)
+        path, member = self._files[key]
+        with open_hdf5(path, member) as file:
+            mesh = read_vtkhdf(file)
+        if member is None:
+            check_unchanged(path)
+        return mesh
 
     def __repr__(self):
         lines = [f"<Library of {len(self)} mesh{'' if len(self) == 1 else 'es'}>"]

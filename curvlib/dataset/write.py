@@ -8,6 +8,7 @@ from curvlib.nurbs.tessellation import tessellate
 
 from .formats import write_ply, write_text
 from .library import KINDS, mesh_files, nurbs_file
+from .sums import write_sums
 from .vtkhdf import write_vtkhdf
 
 CONVENTIONS = (
@@ -22,7 +23,7 @@ WRITERS = dict(zip(KINDS, (write_vtkhdf, write_ply, write_text), strict=True))
 def write_library(surface: Surface, meshes, folder) -> None:
     """Tessellate a surface for every (diagonal, n) of `meshes` and write the files of each mesh.
 
-    InputError where the system refuses a file, on a full disk for one. No file is left half
+    SHA256SUMS lists the files that are loaded. InputError where the system refuses a file, on a full disk for one. No file is left half
     written.
     """
     for diagonal, n in meshes:
@@ -37,6 +38,8 @@ def write_library(surface: Surface, meshes, folder) -> None:
         for file, write in zip(mesh_files(surface.name, diagonal, n), WRITERS.values()):
             with whole_file(Path(folder, file)) as part:
                 write(part, mesh, about)
+    loaded = [Path(mesh_files(surface.name, *mesh)[0]).name for mesh in meshes]
+    write_sums(Path(folder, surface.name), loaded)
 
 
 def write_nurbs(surface: Surface, folder) -> None:

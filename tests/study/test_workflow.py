@@ -255,6 +255,18 @@ def test_truncated_library_file(study):
     assert not list(study.folder.glob("results/**/*.h5*"))
 
 
+def test_a_mesh_changed_by_hand(study):
+    study("--cores", "2", "--until", "library")
+    path = study.folder / "data/small/sphere/sphere.same.012.vtkhdf"
+    made = path.read_bytes()
+    path.write_bytes(made + b"x")
+    output = study("results/small/estimates/paraboloid.csv", ok=False)
+    assert "error: data/small/sphere/sphere.same.012.vtkhdf: changed since it was made" in output
+    path.unlink()
+    study("results/small/estimates/paraboloid.csv")
+    assert path.read_bytes() == made
+
+
 def test_archive_takes_the_place_of_the_meshes(study, monkeypatch):
     for name in ("CITATION.cff", "LICENSE-data", "requirements.lock"):
         shutil.copy(ROOT / name, study.folder)

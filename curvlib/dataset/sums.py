@@ -1,0 +1,30 @@
+"""Checksums beside the meshes of a surface: a mesh that was changed since is told."""
+
+from pathlib import Path
+
+from curvlib.errors import InputError
+from curvlib.files import whole_file
+
+from .archive import SUMS, file_hash, parse_sums, sums_text
+
+
+def write_sums(folder, names) -> None:
+    """Write SHA256SUMS of these files in a folder; no earlier than they are."""
+    hashes = {name: file_hash(Path(folder, name)) for name in names}
+    with whole_file(Path(folder, SUMS)) as part:
+        part.write_text(sums_text(hashes), encoding="utf-8", newline="\n")
+
+
+def check_unchanged(path) -> None:
+    """Raise InputError where a file is not the one that SHA256SUMS beside it lists.
+
+    A file older than SHA256SUMS is not read: each job loads all meshes, and would spend 0.4 s on
+    their hashes.
+    """
+    path = Path(path)
+    sums = path.with_name(SUMS)
+    if not sums.exists() or path.stat().st_mtime_ns < sums.stat().st_mtime_ns:
+        return
+    listed = parse_sums(sums.read_text(encoding="utf-8")).get(path.name)
+    if listed and listed != file_hash(path):
+        raise InputError(f"{path}: changed since it was made; delete it, and run again to make it")
