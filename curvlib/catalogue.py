@@ -20,12 +20,12 @@ LINES = ("-", "--", ":")
 class Catalogue:
     """The modules of one package, by file stem; files that start with `_` are helpers."""
 
-    def __init__(self, what: str, folder: str, function: str):
-        """`function`: the one that every file has to define."""
+    def __init__(self, what: str, folder: str, *needs: str):
+        """`needs`: the names that every file has to define."""
         self.what = what
         self.folder = Path(__file__).parent / folder
         self.package = f"{__package__}.{folder}"
-        self._function = function
+        self._needs = needs
         self._loaded = {}
         self._stamps = {}
         self._shown = {}
@@ -75,8 +75,7 @@ class Catalogue:
         found, given = {}, {}
         for position, (key, file) in enumerate(files.items()):
             module = self.module(file)
-            if not hasattr(module, "LABEL"):
-                raise InputError(f"{self.what} {file} has no LABEL, its name in legends")
+            self._check(module, file, ("LABEL",))
             style = getattr(module, "STYLE", None)
             same = [other for other, its in given.items() if style and its == style]
             if same:
@@ -127,9 +126,17 @@ class Catalogue:
         except Exception as error:
             unknown = f"{self.what} {name}: {type(error).__name__}: {error}"
             raise self.told(error) or InputError(unknown) from error
-        if not callable(getattr(module, self._function, None)):
-            raise InputError(f"{self.what} {name} has no function {self._function!r}")
+        self._check(module, name, self._needs)
         return module
+
+    def _check(self, module, name, needs):
+        missing = [need for need in needs if not hasattr(module, need)]
+        if missing:
+            every = " and ".join(dict.fromkeys(("LABEL", *self._needs)))
+            raise InputError(
+                f"{self.what} file {str(name)!r} has no {' and no '.join(missing)}: it has to hold "
+                f"{every}"
+            )
 
 
 def _is_path(name):
@@ -171,4 +178,4 @@ def _in_one_line(error):
 
 
 estimators = Catalogue("estimator", "estimators", "estimate")
-surfaces = Catalogue("surface", "surfaces", "build")
+surfaces = Catalogue("surface", "surfaces", "LABEL", "build")

@@ -33,12 +33,6 @@ def surface(name: str) -> Surface:
     <Surface 'teapot_spout', domain ((0.0, 2.0), (0.0, 2.0))>
     """
     module = surfaces.module(name)
-    missing = [what for what in ("LABEL", "build") if not hasattr(module, what)]
-    if missing:
-        raise InputError(
-            f"surface file {str(name)!r} has no {' and no '.join(missing)}: it has to hold LABEL "
-            "and build(), which returns a geomdl surface"
-        )
     try:
         return Surface(module.build(), name=Path(name).stem, label=module.LABEL)
     except InputError as error:

@@ -138,12 +138,16 @@ def test_an_estimator_and_a_surface_of_one_stem(config, tmp_path):
 def test_files_are_checked_when_the_study_is_read(config, tmp_path):
     mine = tmp_path / "mine.py"
     for key, text, message in (
-        ("estimators", "LABEL = 'x'\n", "estimators: .*mine.py has no function 'estimate'"),
-        ("estimators", "def estimate(ring):\n    pass\n", "mine.py has no LABEL"),
+        (
+            "estimators",
+            "LABEL = 'x'\n",
+            "estimators: .*mine.py' has no estimate: it has to hold",
+        ),
+        ("estimators", "def estimate(ring):\n    pass\n", "mine.py' has no LABEL"),
         ("estimators", "LABEL = 'x'\nimport nonsens\n", "mine.py, line 2: ModuleNotFoundError"),
         ("estimators", "LABEL = 'x'\ndef estimate(ring, a):\n    pass\n", "'a' has no default"),
-        ("surfaces", "LABEL = 'x'\n", "surfaces: .*mine.py has no function 'build'"),
-        ("surfaces", "def build():\n    pass\n", "mine.py has no LABEL"),
+        ("surfaces", "LABEL = 'x'\n", "surfaces: .*mine.py' has no build"),
+        ("surfaces", "def build():\n    pass\n", "mine.py' has no LABEL"),
         ("surfaces", "LABEL = 'x\n", "mine.py, line 1: SyntaxError"),
     ):
         mine.write_text(text)
