@@ -12,6 +12,8 @@ from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError
 from curvlib.dataset.library import mesh_files
 from curvlib.comparison.norms import VERTICES
+from curvlib.comparison.quantities import QUANTITIES
+from curvlib.meshes.key import MeshKey
 from curvlib.study.digest import digest
 from curvlib.study.config import Study, variant
 
@@ -45,10 +47,15 @@ ESTIMATORS = {Path(name).stem: name for name in study.estimators}
 MODULES = [*map(estimators.path, study.estimators), *map(surfaces.path, study.surfaces)]
 
 
-# How the study cuts each surface: all of it, and where all readings are run; and its meshes.
+# How the study cuts each surface; its meshes, and those on which all readings are run.
 CUTS = [(diagonal, n) for diagonal, n, _ in study.meshes()]
-FULL = [(diagonal, n) for diagonal, n, full in study.meshes() if full]
-MESHES = [(surface, *cut) for surface in SURFACES for cut in CUTS]
+MESHES = [MeshKey(surface, *cut) for surface in SURFACES for cut in CUTS]
+FULL = [
+    MeshKey(surface, diagonal, n)
+    for surface in SURFACES
+    for diagonal, n, full in study.meshes()
+    if full
+]
 
 # The library is an archive, from which the study is then made.
 ARCHIVED = study.library.suffix == ".zip"
@@ -128,7 +135,7 @@ def error_figures(quantity):
     every = sorted({n for _, n in CUTS})
     paper = {
         figure: (surface, study.resolutions)
-        for figure, surface in PAPER_FIGURES[quantity].items()
+        for figure, surface in PAPER_FIGURES.get(quantity, {}).items()
         if surface in SURFACES
     }
     return {f"error-{quantity}-{s}": (s, every) for s in SURFACES} | paper

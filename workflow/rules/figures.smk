@@ -2,9 +2,9 @@
 # Figures 3 to 6 among them, SVG and PNG; and what pictures.smk draws.
 from curvlib.claims.sentences import CLAIMS
 
-CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in "KH")]
-READING_FIGURES = [f"readings-claim-{number}" for number in range(1, len(CLAIMS) + 1)]
-ERROR_FIGURES = [figure for quantity in "KH" for figure in error_figures(quantity)]
+CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in QUANTITIES)]
+READING_FIGURES = [f"readings-claim-{number}" for number in CLAIMS]
+ERROR_FIGURES = [figure for quantity in QUANTITIES for figure in error_figures(quantity)]
 
 # What claim 8 is about, with the paper's normals and with exact ones: estimator, variant, label.
 RING_CURVES = [
@@ -31,7 +31,7 @@ rule figures:
         rules.error_maps.output,
 
 
-for quantity in "KH":
+for quantity in QUANTITIES:
 
     rule:
         name:
@@ -61,7 +61,7 @@ rule claim_plots:
         claims=rules.claims.output.claims,
         summary=rules.claims.output.summary,
         ranks=rules.accuracy.output.ranks,
-        slopes=rules.claims.output.rings,
+        slopes=rules.accuracy.output.rings,
         rings=RINGS,
     output:
         drawn(CLAIM_FIGURES, HOLDS),

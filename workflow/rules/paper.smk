@@ -8,12 +8,6 @@ CAPTIONS = {
     figure: caption(figure)
     for figure in [*PICTURES, *ERROR_FIGURES, *CLAIM_FIGURES, *READING_FIGURES]
 }
-# Of long tables, what the article asks for.
-EXCERPTS = {
-    "errors": {"norm": ["mean"], "diagonal": ["same"]},
-    "ranks": {"diagonal": ["same"], "reading": ["default"]},
-    "claims": {"claim": ["1", "2"]},
-}
 
 
 rule paper:
@@ -43,7 +37,6 @@ rule paper:
             "resolutions": study.resolutions,
             "cuts": list(dict.fromkeys(diagonal for diagonal, _ in CUTS)),
         },
-        excerpts=EXCERPTS,
         code=code("paper", *MODULES),
     script:
         "../scripts/paper.py"

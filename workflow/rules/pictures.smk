@@ -12,13 +12,13 @@ RENDERER = os.environ.get("CURVLIB_RENDERER", "")
 
 # Round enough to the eye.
 ROUND = min((n for diagonal, n in CUTS if diagonal == GRID), key=lambda n: abs(n - 64))
-SEEN = [(s, GRID, ROUND) for s in IN_ORDER]
-TESSELLATIONS = [(LOOKED_AT, GRID, n) for n in study.resolutions]
+SEEN = [MeshKey(s, GRID, ROUND) for s in IN_ORDER]
+TESSELLATIONS = [MeshKey(LOOKED_AT, GRID, n) for n in study.resolutions]
 
 PICTURES = [
     "figure-1",
     "figure-2",
-    *(f"{what}-{q}" for what in ("curvature", "error-map") for q in "KH"),
+    *(f"{what}-{q}" for what in ("curvature", "error-map") for q in QUANTITIES),
 ]
 
 
@@ -28,8 +28,10 @@ rule pictures:
     output:
         surfaces=reported(FIGURES / "figure-1.png", MEASURED_ON, "figure-1"),
         tessellations=reported(FIGURES / "figure-2.png", MEASURED_ON, "figure-2"),
-        K=reported(FIGURES / "curvature-K.png", MEASURED_ON, "curvature-K"),
-        H=reported(FIGURES / "curvature-H.png", MEASURED_ON, "curvature-H"),
+        **{
+            q: reported(FIGURES / f"curvature-{q}.png", MEASURED_ON, f"curvature-{q}")
+            for q in QUANTITIES
+        },
     log:
         study.results / "logs/pictures.log",
     conda:
@@ -51,8 +53,10 @@ rule error_maps:
         library=files_of(TESSELLATIONS[-1:]),
         values=expand(study.results / "estimates/{estimator}.h5", estimator=ESTIMATORS),
     output:
-        K=reported(FIGURES / "error-map-K.png", WHERE, "error-map-K"),
-        H=reported(FIGURES / "error-map-H.png", WHERE, "error-map-H"),
+        **{
+            q: reported(FIGURES / f"error-map-{q}.png", WHERE, f"error-map-{q}")
+            for q in QUANTITIES
+        },
     log:
         study.results / "logs/error_maps.log",
     conda:
