@@ -61,7 +61,8 @@ class _Evidence:
         fitted = curves[["more", *key]].itertuples(index=False, name=None)
         self.curves = dict(zip(fitted, curves[FIT].itertuples(index=False, name=None)))
         noise = noise[noise.sigma == NOISE_SIGMA]
-        self.noise = dict(noise.set_index(["surface", "quantity", "estimator", "variant"]).value)
+        noise = noise.set_index(["surface", "quantity", "estimator", "variant"]).value
+        self.noise = dict(noise.dropna())
         kinds = "valence-" + rings.valence.astype(str) + "-" + rings.ring
         fitted = zip(kinds, rings.quantity, rings.estimator, rings.variant)
         fit = rings[["slope", "stderr", "verdict"]].itertuples(index=False, name=None)
