@@ -12,7 +12,6 @@ from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError
 from curvlib.dataset.library import mesh_files
 from curvlib.comparison.norms import VERTICES
-from curvlib.comparison.quantities import QUANTITIES
 from curvlib.meshes.key import MeshKey
 from curvlib.study.digest import digest
 from curvlib.study.config import Study, variant
@@ -135,7 +134,7 @@ def error_figures(quantity):
     every = sorted({n for _, n in CUTS})
     paper = {
         figure: (surface, study.resolutions)
-        for figure, surface in PAPER_FIGURES.get(quantity, {}).items()
+        for figure, surface in PAPER_FIGURES[quantity].items()
         if surface in SURFACES
     }
     return {f"error-{quantity}-{s}": (s, every) for s in SURFACES} | paper

@@ -2,9 +2,9 @@
 # Figures 3 to 6 among them, SVG and PNG; and what pictures.smk draws.
 from curvlib.claims.sentences import CLAIMS
 
-CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in QUANTITIES)]
+CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in PAPER_FIGURES)]
 READING_FIGURES = [f"readings-claim-{number}" for number in CLAIMS]
-ERROR_FIGURES = [figure for quantity in QUANTITIES for figure in error_figures(quantity)]
+ERROR_FIGURES = [figure for quantity in PAPER_FIGURES for figure in error_figures(quantity)]
 
 # What claim 8 is about, with the paper's normals and with exact ones: estimator, variant, label.
 RING_CURVES = [
@@ -31,7 +31,7 @@ rule figures:
         rules.error_maps.output,
 
 
-for quantity in QUANTITIES:
+for quantity in PAPER_FIGURES:
 
     rule:
         name:
@@ -70,6 +70,7 @@ rule claim_plots:
     conda:
         "../envs/curvlib.yaml"
     params:
+        quantities=list(PAPER_FIGURES),
         diagonal=study.diagonals[0],
         n=study.resolutions[-1],
         rings=RING_CURVES,

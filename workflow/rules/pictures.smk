@@ -18,7 +18,7 @@ TESSELLATIONS = [MeshKey(LOOKED_AT, GRID, n) for n in study.resolutions]
 PICTURES = [
     "figure-1",
     "figure-2",
-    *(f"{what}-{q}" for what in ("curvature", "error-map") for q in QUANTITIES),
+    *(f"{what}-{q}" for what in ("curvature", "error-map") for q in PAPER_FIGURES),
 ]
 
 
@@ -30,7 +30,7 @@ rule pictures:
         tessellations=reported(FIGURES / "figure-2.png", MEASURED_ON, "figure-2"),
         **{
             q: reported(FIGURES / f"curvature-{q}.png", MEASURED_ON, f"curvature-{q}")
-            for q in QUANTITIES
+            for q in PAPER_FIGURES
         },
     log:
         study.results / "logs/pictures.log",
@@ -38,6 +38,7 @@ rule pictures:
         "../envs/curvlib.yaml"
     params:
         renderer=RENDERER,
+        quantities=list(PAPER_FIGURES),
         surfaces=SURFACES,
         numbers={s: number for number, s in enumerate(dict.fromkeys([*SEVEN, *IN_ORDER]), 1)},
         paper=SEEN[: len(chosen(SURFACES))],
@@ -55,7 +56,7 @@ rule error_maps:
     output:
         **{
             q: reported(FIGURES / f"error-map-{q}.png", WHERE, f"error-map-{q}")
-            for q in QUANTITIES
+            for q in PAPER_FIGURES
         },
     log:
         study.results / "logs/error_maps.log",
@@ -63,6 +64,7 @@ rule error_maps:
         "../envs/curvlib.yaml"
     params:
         renderer=RENDERER,
+        quantities=list(PAPER_FIGURES),
         mesh=TESSELLATIONS[-1],
         surface=SURFACES[LOOKED_AT],
         estimators=ESTIMATORS,

@@ -6,7 +6,6 @@ from curvlib.catalogue import estimators, surfaces
 from curvlib.claims.sentences import chosen
 from curvlib.claims.summary import verdicts
 from curvlib.comparison.accuracy import concat
-from curvlib.comparison.quantities import QUANTITIES
 from curvlib.figures.curves import rank_plot
 from curvlib.figures.rings import rings_plot
 from curvlib.figures.style import save
@@ -20,7 +19,7 @@ with logged(snakemake.log[0]):
     modules = estimators.modules(params.estimators) | surfaces.modules(params.surfaces)
     shown = chosen(params.surfaces)
     drawn = {"claims": claims_map(verdicts(claims, params.diagonal)[shown], summary, modules)}
-    for quantity in QUANTITIES:
+    for quantity in params.quantities:
         drawn[f"ranks-{quantity}"] = rank_plot(ranks, quantity, shown, modules, params.n)
         drawn[f"rings-{quantity}"] = rings_plot(rings, slopes, params.rings, quantity)
     for name, figure in drawn.items():

@@ -1,7 +1,6 @@
 """Draw where each estimator errs on one mesh."""
 
 from curvlib.catalogue import estimators, surfaces
-from curvlib.comparison.quantities import QUANTITIES
 from curvlib.comparison.run import read_values
 from curvlib.dataset.library import load_library
 from curvlib.figures import pictures
@@ -16,6 +15,6 @@ with logged(snakemake.log[0]):
     values = {name: read_values(f, [key])[key] for name, f in zip(params.estimators, inputs.values)}
     modules = estimators.modules(params.estimators)
     surface = surfaces.module(params.surface)
-    for quantity in QUANTITIES:
+    for quantity in params.quantities:
         drawn = pictures.error_map(mesh, values, quantity, surface, modules, draw)
         save(drawn, snakemake.output[quantity])

@@ -1,7 +1,6 @@
 """Draw the surfaces, the tessellations of one of them, and exact curvature."""
 
 from curvlib.catalogue import surfaces
-from curvlib.comparison.quantities import QUANTITIES
 from curvlib.dataset.library import load_library
 from curvlib.figures import pictures
 from curvlib.figures.render import renderer
@@ -17,5 +16,5 @@ with logged(snakemake.log[0]):
     save(pictures.surface_plate(paper, params.numbers, modules, draw), output.surfaces)
     tessellations = library.only(params.tessellations)
     save(pictures.tessellation_plate(tessellations, modules, draw), output.tessellations)
-    for quantity in QUANTITIES:
+    for quantity in params.quantities:
         save(pictures.curvature_map(meshes, quantity, modules, draw), output[quantity])
