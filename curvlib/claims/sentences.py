@@ -284,4 +284,4 @@ def _kendall(a, b):
     from scipy.stats import kendalltau
 
     # SciPy divides twice: 0.5 comes out as 0.4999999999999999, below DIFFERENT.
-    return round(float(kendalltau(a, b).statistic), 12)
+    return round(float(kendalltau(a, b).statistic), 14)
