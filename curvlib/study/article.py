@@ -9,7 +9,7 @@ from pathlib import Path
 from curvlib.errors import InputError
 from curvlib.files import whole_file
 
-# Of long tables, what the article asks for: the compiler would take seconds to find it.
+# The rows of long tables that the article quotes: the compiler would take seconds to select them.
 EXCERPTS = {
     "errors": {"norm": ["mean"], "diagonal": ["same"]},
     "ranks": {"diagonal": ["same"], "reading": ["default"]},
@@ -48,9 +48,10 @@ def typeset(source, output, results, **values) -> None:
         part.write_bytes(pdf)
 
 
-def excerpts(folder) -> dict:
-    """EXCERPTS of the tables in a folder, as the text of CSV files by the tables' names."""
-    return {name: _excerpt(Path(folder, f"{name}.csv"), where) for name, where in EXCERPTS.items()}
+def excerpts(folder, wanted: dict) -> dict:
+    """Parts of the tables `<name>.csv` in a folder, as CSV text: the rows whose columns hold one of
+    the values wanted, name -> column -> values."""
+    return {name: _excerpt(Path(folder, f"{name}.csv"), where) for name, where in wanted.items()}
 
 
 def _excerpt(path, where):

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from curvlib.errors import InputError
-from curvlib.study.article import caption, excerpts, typeset
+from curvlib.study.article import EXCERPTS, caption, excerpts, typeset
 
 ROOT = Path(__file__).parents[2]
 ARTICLE = ROOT / "paper/paper.typ"
@@ -227,7 +227,7 @@ def shown(tmp_path):
 
     def evaluate(expression):
         source = tmp_path / "small.typ"
-        values["excerpts"] = excerpts(tmp_path / "tables")
+        values["excerpts"] = excerpts(tmp_path / "tables", EXCERPTS)
         source.write_text(f'#import "results.typ": *\n#metadata({expression}) <shown>')
         typeset(source, tmp_path / "small.pdf", tmp_path, **values)
         inputs = {k: json.dumps(v) for k, v in values.items()} | {"results": str(tmp_path)}

@@ -15,11 +15,11 @@ rule accuracy:
         noise=NOISE,
         rings=RINGS,
     output:
-        readings=tabled("readings"),
         **{
             name: study.results / f"tables/{name}.csv"
             for name in ("variants", "curves", "errors", "convergence", "ranks", "noise", "rings")
         },
+        readings=tabled("readings"),
     log:
         study.results / "logs/accuracy.log",
     conda:

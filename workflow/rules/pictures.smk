@@ -26,12 +26,12 @@ rule pictures:
     input:
         library=files_of(dict.fromkeys([*SEEN, *TESSELLATIONS])),
     output:
-        surfaces=reported(FIGURES / "figure-1.png", MEASURED_ON, "figure-1"),
-        tessellations=reported(FIGURES / "figure-2.png", MEASURED_ON, "figure-2"),
         **{
             q: reported(FIGURES / f"curvature-{q}.png", MEASURED_ON, f"curvature-{q}")
             for q in PAPER_FIGURES
         },
+        surfaces=reported(FIGURES / "figure-1.png", MEASURED_ON, "figure-1"),
+        tessellations=reported(FIGURES / "figure-2.png", MEASURED_ON, "figure-2"),
     log:
         study.results / "logs/pictures.log",
     conda:
