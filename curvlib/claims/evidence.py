@@ -5,7 +5,8 @@ import pandas as pd
 
 from curvlib.comparison.norms import VERTICES
 
-from .sentences import CLAIMS, FAVOURITES, NINE, SEVEN, Cell, Verdict, orders
+from .cell import FAVOURITES, NINE, SEVEN, Cell
+from .sentences import CLAIMS, Verdict, orders
 
 NOISE_SIGMA = 0.01
 QUADRIC = "quadric"  # in place of a surface: that of the shrinking rings

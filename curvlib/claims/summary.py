@@ -2,8 +2,9 @@
 
 import pandas as pd
 
+from .cell import chosen
 from .evidence import QUADRIC
-from .sentences import CLAIMS, chosen
+from .sentences import CLAIMS
 
 TOGETHER = "all"  # in place of a diagonal
 HOLDS = ("true", "undecided", "false")  # from the best to the worst

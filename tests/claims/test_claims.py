@@ -7,8 +7,9 @@ import reference
 
 import curvlib
 from curvlib.claims import sentences, summary
+from curvlib.claims.cell import FAVOURITES, NINE, Cell, kendall, tied_ranks
 from curvlib.claims.evidence import decide as decide_all
-from curvlib.claims.sentences import CLAIMS, FAVOURITES, NINE, Cell, kendall, tied_ranks
+from curvlib.claims.sentences import CLAIMS
 from curvlib.comparison import accuracy
 from curvlib.comparison.norms import error_rows
 from curvlib.comparison.trials import noise_rows, ring_rows

@@ -1,7 +1,7 @@
 # In: tables, trials, figures with their captions, the article's source. Out: the article, whose
 # numbers are looked up in them while it is set. It is about the study of config.yaml; of another
 # one it can be asked for by name, and fails where that lacks what it quotes.
-from curvlib.claims.sentences import NINE, SEVEN
+from curvlib.claims.cell import NINE, SEVEN
 
 ARTICLE = Path(workflow.basedir, "paper/paper.typ")
 CAPTIONS = {

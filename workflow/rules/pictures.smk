@@ -1,6 +1,6 @@
 # In: the meshes; the estimates. Out: the surfaces and the tessellations of one, the paper's
 # Figures 1 and 2; exact curvature on all surfaces; the errors of the estimates on one.
-from curvlib.claims.sentences import SEVEN, chosen
+from curvlib.claims.cell import SEVEN, chosen
 
 # The paper's surfaces first, in its order; the one that it looks at closely, else the first.
 IN_ORDER = list(dict.fromkeys([*chosen(SURFACES), *SURFACES]))

@@ -3,7 +3,7 @@
 import pandas as pd
 
 from curvlib.catalogue import estimators, surfaces
-from curvlib.claims.sentences import chosen
+from curvlib.claims.cell import chosen
 from curvlib.claims.summary import verdicts
 from curvlib.comparison.accuracy import concat
 from curvlib.figures.curves import rank_plot
