@@ -24,9 +24,9 @@ DOORS = {
     "estimates": {"errors", "kit"},
     "estimation": {"catalogue", "errors", "estimates", "kit", "meshes", "parallel"},
     "dataset": {"errors", "files", "meshes", "nurbs"},
-    "comparison": {"catalogue", "estimation", "files", "kit", "meshes", "nurbs", "surfaces"},
+    "comparison": {"catalogue", "estimation", "files", "kit", "meshes", "surfaces"},
     "claims": {"comparison"},
-    "figures": {"comparison", "errors"},
+    "figures": {"comparison", "errors", "files"},
     "study": {"catalogue", "comparison", "errors", "estimation", "files", "nurbs"},
     "commands": {"dataset", "errors", "__version__"},
 }

@@ -1,119 +1,131 @@
-"""The claims' evidence: a Cell for every surface, cut and reading, decided and summed up."""
+"""The claims' evidence, looked up in the published tables, and the verdicts it comes to."""
 
 import numpy as np
 import pandas as pd
 
-from curvlib.comparison.accuracy import convergence, rounding_levels, slope_fit, verdict
 from curvlib.comparison.norms import VERTICES
 
-from .sentences import CLAIMS, NINE, SEVEN, Cell, orders, ranks
+from .cell import FAVOURITES, NINE, SEVEN, Cell
+from .sentences import CLAIMS, Verdict, orders
 
 NOISE_SIGMA = 0.01
+QUADRIC = "quadric"  # in place of a surface: that of the shrinking rings
+BOTH = tuple(FAVOURITES)  # the quantities that the paper's claims are about
+NORMS = ("mean", "q95", "max")
+FIT = ["tail", "tail_stderr", "verdict"]
 
 
-class Evidence:
-    """The tables as look-ups, from which any reading's cells are put together.
+def decide(readings, variants, curves, noise, rings) -> pd.DataFrame:
+    """Decide every claim for every surface, cut and reading.
 
-    `rows`: of `accuracy.by_variant`; `noise`: of `trials`; `rings`: of `ring_slopes`. Estimates
-    are shared: a reading only names its variants.
+    Parameters
+    ----------
+    readings, variants, curves, noise, rings : DataFrame
+        The tables of these names in `results/tables`, as `pandas.read_csv` reads them. Which
+        estimates a reading is made of, `readings` says; the others are by variant.
+
+    Returns
+    -------
+    DataFrame
+        `claims.csv`: claim, surface, diagonal, reading, `holds` (true, false or undecided),
+        `effect` and `evidence`. A claim about an estimator that the reading does not have is
+        undecided.
     """
+    evidence = _Evidence(variants, curves, noise, rings)
+    by_reading = readings.groupby("reading", sort=False)
+    return pd.DataFrame(row for _, reading in by_reading for row in evidence.decide(reading))
 
-    def __init__(self, rows, noise, rings):
-        self.levels = rounding_levels(rows)
-        full = rows[rows.full]
+
+class _Evidence:
+    """The tables as look-ups by variant, from which any reading's cells are put together."""
+
+    def __init__(self, variants, curves, noise, rings):
+        full = variants[variants.full]
+        cut = ["surface", "diagonal"]
+        self.cuts = list(full[cut].drop_duplicates().itertuples(index=False, name=None))
         self.resolutions = np.sort(full.n.unique())
-        self.places = list(full[["surface", "diagonal"]].drop_duplicates().itertuples(index=False))
-        key = ["surface", "diagonal", "counted", "quantity", "norm", "estimator", "variant"]
-        by_n = full.set_index([*key, "n"]).value.unstack("n")
-        self.errors = dict(zip(by_n.index, by_n.fillna(np.inf).to_numpy()))
-        fits = ["tail", "tail_stderr", "verdict"]
-        place = ["surface", "diagonal", "counted"]
-        # By whether a reading was run on more meshes than the full ones.
-        self.curves = {
-            more: _fits(convergence(r), place, fits) for more, r in ((True, rows), (False, full))
-        }
+        # (counted, estimator, variant) -> errors (cuts, quantities, norms, resolutions)
+        self.errors, variant = {}, ["counted", "estimator", "variant"]
+        self.missing = np.full(
+            (len(self.cuts), len(BOTH), len(NORMS), len(self.resolutions)), np.inf
+        )
+        self.levels = np.zeros((len(self.cuts), len(BOTH), 1, 1, 1))
+        for key, rows in full[full.quantity.isin(BOTH)].groupby(variant):
+            place = [self.cuts.index(c) for c in zip(rows.surface, rows.diagonal)]
+            quantity = [BOTH.index(q) for q in rows.quantity]
+            n = np.searchsorted(self.resolutions, rows.n)
+            values = rows[list(NORMS)].fillna(np.inf)
+            self.errors[key] = self.missing.copy()
+            self.errors[key][place, quantity, :, n] = values
+            self.levels[place, quantity, 0, 0, 0] = rows.rounding
+        key = [*cut, "counted", "quantity", "estimator", "variant"]
+        fitted = curves[["more", *key]].itertuples(index=False, name=None)
+        self.curves = dict(zip(fitted, curves[FIT].itertuples(index=False, name=None)))
         noise = noise[noise.sigma == NOISE_SIGMA]
         noise = noise.set_index(["surface", "quantity", "estimator", "variant"]).value
-        self.noise = dict(noise)
-        cuts = "valence-" + rings.valence.astype(str) + "-" + rings.ring
-        rings = rings.assign(surface="quadric", diagonal=cuts)
-        self.rings = _fits(rings, place[:2], ["slope", "stderr", "verdict"])
-        self.ring_places = sorted({key[:2] for key in self.rings})
+        self.noise = dict(noise.dropna())
+        kinds = "valence-" + rings.valence.astype(str) + "-" + rings.ring
+        fitted = zip(kinds, rings.quantity, rings.estimator, rings.variant)
+        fit = rings[["slope", "stderr", "verdict"]].itertuples(index=False, name=None)
+        self.rings = dict(zip(fitted, fit))
+        self.kinds = sorted(set(kinds))
 
-    def decide(self, reading: pd.DataFrame):
+    def decide(self, reading):
         """Yield rows of claims.csv for one reading, its rows of readings.csv."""
         counted, name, more = reading[["counted", "reading", "more"]].iloc[0]
         variants = dict(zip(reading.estimator, reading.variant))
-        errors = {place: self._errors(*place, counted, variants) for place in self.places}
-        for (surface, diagonal), found in errors.items():
-            peers = [errors[s, diagonal] for s in SEVEN if s != surface and (s, diagonal) in errors]
-            places = {q: [ranks(peer[q, "mean"][-1]) for peer in peers] for q in "KH"}
-            alone = np.full(len(NINE), np.nan)
-            consensus = {q: np.mean(p, axis=0) if p else alone for q, p in places.items()}
-            noise = {q: self._noise(surface, q, variants) for q in "KH"}
-            cell = Cell(
+        errors = [self.errors.get((counted, e, variants.get(e)), self.missing) for e in NINE]
+        # Raised to the rounding level: (cuts, quantities, norms, resolutions, 9)
+        errors = np.maximum(np.stack(errors, axis=-1), self.levels)
+        cells = {
+            (surface, diagonal): Cell(
                 diagonal,
                 self.resolutions,
-                mean={q: found[q, "mean"] for q in "KH"},
-                finest={key: values[-1] for key, values in found.items()},
-                noise=noise,
-                curve=self._curves((surface, diagonal, counted), variants, self.curves[more]),
-                consensus=consensus,
+                mean={q: of_cut[i, 0] for i, q in enumerate(BOTH)},
+                finest={
+                    (q, m): of_cut[i, j, -1]
+                    for i, q in enumerate(BOTH)
+                    for j, m in enumerate(NORMS)
+                },
+                noise={q: self._noise(surface, q, variants) for q in BOTH},
+                curve=_present(self.curves, (more, surface, diagonal, counted), variants),
+                consensus={},
             )
-            for claim in CLAIMS:
-                yield _row(claim, surface, diagonal, name, claim.decide(cell))
-        if counted == VERTICES[0]:
-            (claim,) = (claim for claim in CLAIMS if claim.decide is orders)
-            for place in self.ring_places:
-                curve = self._curves(place, variants, self.rings)
-                cell = Cell(place[1], self.resolutions, {}, {}, {}, curve, {})
-                yield _row(claim, *place, name, claim.decide(cell))
-
-    def _errors(self, surface, diagonal, counted, variants):
-        """(quantity, norm) -> errors (resolutions, 9), raised to the rounding level."""
-        missing = np.full(len(self.resolutions), np.inf)
-        return {
-            (q, norm): np.maximum(
-                [
-                    self.errors.get(
-                        (surface, diagonal, counted, q, norm, e, variants.get(e)), missing
-                    )
-                    for e in NINE
-                ],
-                self.levels[surface, q],
-            ).T
-            for q in "KH"
-            for norm in ("mean", "q95", "max")
+            for (surface, diagonal), of_cut in zip(self.cuts, errors)
         }
+        for (surface, diagonal), cell in cells.items():
+            peers = [cells[s, diagonal] for s in SEVEN if s != surface and (s, diagonal) in cells]
+            for q in BOTH:
+                ranks = [peer.ranks[q][-1] for peer in peers] or [np.full(len(NINE), np.nan)]
+                cell.consensus[q] = np.mean(ranks, axis=0)
+            for claim in CLAIMS.values():
+                yield _row(claim, surface, diagonal, name, _verdict(claim, cell, variants))
+        if counted == VERTICES[0]:
+            (claim,) = (claim for claim in CLAIMS.values() if claim.decide is orders)
+            for kind in self.kinds:
+                curve = _present(self.rings, (kind,), variants)
+                cell = Cell(kind, self.resolutions, {}, {}, {}, curve, {})
+                yield _row(claim, QUADRIC, kind, name, _verdict(claim, cell, variants))
 
     def _noise(self, surface, quantity, variants):
         keys = [(surface, quantity, e, variants.get(e)) for e in NINE]
         return np.array([self.noise.get(key, np.inf) for key in keys])
 
-    def _curves(self, place, variants, curves):
-        keys = {(q, e): (*place, q, e, variants.get(e)) for q in "KH" for e in NINE}
-        return {short: curves[key] for short, key in keys.items() if key in curves}
+
+def _present(curves, place, variants):
+    """(quantity, estimator) -> what the curves have there for a reading's variants."""
+    keys = {(q, e): (*place, q, e, variants.get(e)) for q in BOTH for e in NINE}
+    return {short: curves[key] for short, key in keys.items() if key in curves}
+
+
+def _verdict(claim, cell, variants):
+    missing = [name for name in claim.about if name not in variants]
+    if missing:
+        return Verdict(None, np.nan, "not in this study: " + ", ".join(missing))
+    return claim.decide(cell)
 
 
 def _row(claim, surface, diagonal, reading, decided):
     holds = {True: "true", False: "false", None: "undecided"}[decided.holds]
     first = {"claim": claim.number, "surface": surface, "diagonal": diagonal, "reading": reading}
     return first | {"holds": holds, "effect": decided.effect, "evidence": decided.evidence}
-
-
-def _fits(curves, place, columns):
-    """(*place, quantity, estimator, variant) -> slope, its standard error and verdict."""
-    fits = curves.set_index([*place, "quantity", "estimator", "variant"])[columns]
-    return dict(zip(fits.index, fits.itertuples(index=False, name=None)))
-
-
-def ring_slopes(rings: pd.DataFrame) -> pd.DataFrame:
-    """rings.csv: per valence, kind of ring, quantity, estimator and variant the slope of
-    log(mean error) over log(1/h) on the smaller half of the sizes, its standard error, verdict."""
-    key = ["valence", "ring", "quantity", "estimator", "variant"]
-    by_h = rings.set_index([*key, "h"]).value.unstack("h")
-    by_h = by_h.iloc[:, : (len(by_h.columns) + 1) // 2]
-    x, y = -np.log(by_h.columns.to_numpy(float)), np.log(by_h.to_numpy())
-    slope, stderr = slope_fit(x, y, np.ones(y.shape, dtype=bool))
-    fits = {"slope": slope, "stderr": stderr, "verdict": list(map(verdict, slope))}
-    return by_h.index.to_frame(index=False).assign(**fits)

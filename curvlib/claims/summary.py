@@ -2,9 +2,12 @@
 
 import pandas as pd
 
-from .sentences import CLAIMS, chosen
+from .cell import chosen
+from .evidence import QUADRIC
+from .sentences import CLAIMS
 
 TOGETHER = "all"  # in place of a diagonal
+HOLDS = ("true", "undecided", "false")  # from the best to the worst
 
 
 def verdicts(decided: pd.DataFrame, diagonal: str, reading: str = "default") -> pd.DataFrame:
@@ -15,26 +18,34 @@ def verdicts(decided: pd.DataFrame, diagonal: str, reading: str = "default") -> 
     return here.pivot(index="claim", columns="surface", values="holds")
 
 
-def summary(decided: pd.DataFrame, named, singles, diagonals) -> pd.DataFrame:
-    """claims-summary.csv: each claim in words, how it fares on the paper's surfaces in the `named`
-    readings on the first diagonal, which of the `singles` readings or diagonals turns it over,
-    and on how many surfaces at most it is true in any reading and cut, with the first such."""
-    on_surfaces = decided[decided.diagonal.isin(diagonals)]
-    surfaces = chosen(on_surfaces.surface)
+def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:
+    """claims-summary.csv, from claims.csv and readings.csv: a row per claim.
+
+    The claim in words. On how many (`of`) of the paper's surfaces, cut as by the first diagonal,
+    it is `<reading>_true`, `_undecided` and `_false` in each named reading, and whether it stands.
+    Over all `cells` (surface, cut, reading) how many are true and undecided; on how many surfaces
+    at most it is true (`most`), and in which reading and cut first (`most_in`). Which single
+    changes of the default reading or of the cut turn it over; on which surfaces it is undecided by
+    default.
+    """
+    kind = readings.drop_duplicates("reading").set_index("reading").kind
+    on_surfaces = decided[decided.surface != QUADRIC]
+    first, surfaces = on_surfaces.diagonal.iloc[0], chosen(on_surfaces.surface)
     seven = _of_claims(on_surfaces[on_surfaces.surface.isin(surfaces)])
     rows = []
-    for claim in CLAIMS:
+    for claim in CLAIMS.values():
         here = seven[seven.claim == claim.number]
-        at_first = here[here.diagonal.isin([diagonals[0], TOGETHER])]
-        readings = {r: outcome(x) for r, x in at_first.groupby("reading")}
-        cuts = {d: outcome(x) for d, x in here[here.reading == "default"].groupby("diagonal")}
-        default = readings["default"]
-        turned = [r for r in singles if stands(readings[r]) != stands(default)]
-        turned += [f"diagonal={d}" for d, o in cuts.items() if stands(o) != stands(default)]
-        every = here.groupby(["reading", "diagonal"], sort=False).holds
-        most = every.agg(lambda holds: (holds == "true").sum())
-        reading, diagonal = most.idxmax()
-        open_on = at_first[(at_first.reading == "default") & (at_first.holds == "undecided")]
+        at_first = here[here.diagonal.isin([first, TOGETHER])]
+        of_reading = _counts(at_first, "reading")
+        of_cut = stands(_counts(here[here.reading == "default"], "diagonal"))
+        changes = stands(of_reading)
+        default, changes = changes["default"], changes[kind.index[kind == "single"]]
+        turned = [*changes.index[changes != default]]
+        turned += [f"diagonal={cut}" for cut in of_cut.index[of_cut != default]]
+        true = (here.holds == "true").groupby([here.reading, here.diagonal], sort=False).sum()
+        undecided = at_first[(at_first.reading == "default") & (at_first.holds == "undecided")]
+        named = of_reading.loc[kind.index[kind == "named"]]
+        named = named.assign(stands=stands(named)).stack()
         rows.append(
             {
                 "claim": claim.number,
@@ -43,14 +54,15 @@ def summary(decided: pd.DataFrame, named, singles, diagonals) -> pd.DataFrame:
                 "measure": claim.measure,
                 "limit": claim.limit,
                 "holds_if": claim.holds,
-                **{reading: readings[reading] for reading in named},
+                "of": len(surfaces),
+                **{"_".join(reading_column): x for reading_column, x in named.items()},
                 "cells": len(here),
-                "true": int((here.holds == "true").sum()),
-                "undecided": int((here.holds == "undecided").sum()),
-                "most": int(most.max()),
-                "most_in": f"{reading}, diagonal={diagonal}",
+                "cells_true": int((here.holds == "true").sum()),
+                "cells_undecided": int((here.holds == "undecided").sum()),
+                "most": int(true.max()),
+                "most_in": "{}, diagonal={}".format(*true.idxmax()),
                 "turned_over_by": ", ".join(turned),
-                "undecided_on": ", ".join(sorted(open_on.surface)),
+                "undecided_on": ", ".join(sorted(undecided.surface)),
             }
         )
     return pd.DataFrame(rows)
@@ -59,35 +71,41 @@ def summary(decided: pd.DataFrame, named, singles, diagonals) -> pd.DataFrame:
 def _of_claims(cells):
     """The cells that count: those of a claim about all cuts of a surface are put together, false
     if it is false in one of them, else undecided if it is that in one."""
-    about_all = [claim.number for claim in CLAIMS if claim.cuts == "all"]
+    about_all = [claim.number for claim in CLAIMS.values() if claim.cuts == "all"]
     apart, joined = cells[~cells.claim.isin(about_all)], cells[cells.claim.isin(about_all)]
-    worst = pd.Categorical(joined.holds, ["true", "undecided", "false"], ordered=True)
+    worst = pd.Categorical(joined.holds, HOLDS, ordered=True)
     key = ["claim", "surface", "reading"]
     joined = joined.assign(holds=worst).groupby(key, sort=False).holds.max().astype(str)
     return pd.concat([apart, joined.reset_index().assign(diagonal=TOGETHER)])
 
 
-def outcome(cells) -> str:
-    """`5 of 7`: on how many surfaces it is true; `5 (+1) of 7` where one more is undecided."""
-    count = cells.holds.value_counts()
-    more = f" (+{count['undecided']})" if "undecided" in count else ""
-    return f"{count.get('true', 0)}{more} of {len(cells)}"
+def _counts(cells, column):
+    """By the values of a column: on how many surfaces it is true, undecided and false."""
+    return pd.crosstab(cells[column], cells.holds).reindex(columns=HOLDS, fill_value=0)
 
 
-def stands(outcome: str) -> bool:
+def stands(counts: pd.DataFrame) -> pd.Series:
     """Whether a claim is true on more than half of the surfaces."""
-    return 2 * int(outcome.split()[0]) > int(outcome.split()[-1])
+    return 2 * counts["true"] > counts.sum(axis=1)
+
+
+def _in_brackets(row, reading):
+    """`5 of 7`: on how many surfaces it is true; `5 (+1) of 7` where one more is undecided."""
+    undecided = row[f"{reading}_undecided"]
+    more = f" (+{undecided})" if undecided else ""
+    return f"{row[f'{reading}_true']}{more} of {row['of']}"
 
 
 def in_words(table: pd.DataFrame) -> str:
     """The same for the CHANGELOG: a line of a list per claim."""
     lines = []
-    for claim in table.itertuples():
-        turned = claim.turned_over_by or "no single choice"
+    for _, row in table.iterrows():
+        turned = row.turned_over_by or "no single choice"
         lines.append(
-            f"* Claim {claim.claim} ({claim.sentence[:-1]}): true on {claim.default} surfaces in "
-            f"the default reading, and in {claim.true} of all {claim.cells} combinations of "
-            f"surface, cut and reading ({claim.undecided} undecided); turned over by {turned}.\n"
+            f"* Claim {row.claim} ({row.sentence[:-1]}): true on {_in_brackets(row, 'default')} "
+            f"surfaces in the default reading, and in {row.cells_true} of all {row.cells} "
+            f"combinations of surface, cut and reading ({row.cells_undecided} undecided); turned "
+            f"over by {turned}.\n"
         )
     return "".join(lines)
 
@@ -99,8 +117,9 @@ def _shortened(listed):
 
 def answer(table: pd.DataFrame) -> str:
     """The README's answer, in Markdown, from claims-summary.csv."""
-    columns = {"claim": "", "sentence": "the paper says", "default": "true on"}
-    columns |= {"likely-run": "as likely run", "turned_over_by": "turned over by"}
-    shown = table[[c for c in columns if c in table]].rename(columns=columns)
-    shown["turned over by"] = shown["turned over by"].map(_shortened)
+    shown = pd.DataFrame({"": table.claim, "the paper says": table.sentence})
+    for reading, heading in (("default", "true on"), ("likely-run", "as likely run")):
+        if f"{reading}_true" in table:
+            shown[heading] = [_in_brackets(row, reading) for _, row in table.iterrows()]
+    shown["turned over by"] = table.turned_over_by.map(_shortened)
     return shown.to_markdown(index=False, disable_numparse=True) + "\n"

@@ -3,68 +3,75 @@
 import numpy as np
 import pandas as pd
 
-from .norms import ROUNDING, VERTICES
+from .norms import NORMS, ROUNDING, VERTICES, rounding_level
 
-CURVE = ["surface", "diagonal", "estimator", "variant", "counted", "quantity"]
+VARIANT = ["estimator", "variant", "counted"]
+CURVE = ["surface", "diagonal", *VARIANT, "quantity", "more"]
 
 # |slope| below this, nearer to no order of convergence than to the first, is stagnation.
 STAGNATION = 0.5
 
 
-def by_variant(tables, full) -> pd.DataFrame:
-    """The errors of all estimators, one row per variant and choice of vertices.
+def by_variant(tables, readings, full) -> pd.DataFrame:
+    """variants.csv: the errors of all variants that a reading names, one row per quantity.
 
-    `tables`: one DataFrame per estimator, of `results.run_estimator`. `full`: the (diagonal, n)
-    on which all variants were run, marked in the column `full`. A surface without poles has
-    the same rows for every choice of vertices.
+    `tables`: one DataFrame per estimator, of `run_estimator`; `readings`: readings.csv; `full`: the
+    MeshKeys on which all variants were run, marked in the column `full`. A surface without poles
+    has the same rows for every choice of vertices. `rounding` is the level below which an error is
+    nothing but rounding.
     """
-    rows = pd.concat(tables, ignore_index=True)
-    _, without_poles = VERTICES
+    rows = concat(tables)
+    everything, without_poles = VERTICES
     poles = set(rows.surface[rows.counted == without_poles])
-    same = rows[~rows.surface.isin(poles)].assign(counted=without_poles)
-    rows = pd.concat([rows, same], ignore_index=True)
-    return rows.assign(full=[mesh in full for mesh in zip(rows.diagonal, rows.n)])
-
-
-def rounding_levels(rows) -> dict:
-    """(surface, quantity) -> the error below which nothing but rounding is left."""
+    same = rows[(rows.counted == everything) & ~rows.surface.isin(poles)]
+    rows = pd.concat([rows, same.assign(counted=without_poles)], ignore_index=True)
+    rows = rows.merge(readings[VARIANT].drop_duplicates(), on=VARIANT)
     largest = rows.groupby("surface").largest_k.max()
-    return {(s, q): ROUNDING * k**p for s, k in largest.items() for q, p in (("K", 2), ("H", 1))}
+    level = {
+        (s, q): rounding_level(q, largest[s]) for s in largest.index for q in set(rows.quantity)
+    }
+    full = set(full)
+    return rows.assign(
+        full=[key in full for key in zip(rows.surface, rows.diagonal, rows.n)],
+        rounding=[level[key] for key in zip(rows.surface, rows.quantity)],
+    ).drop(columns="largest_k")
 
 
 def errors(rows, readings) -> pd.DataFrame:
-    """errors.csv: the rows of every reading; on meshes not `full`, those of readings with `more`.
-
-    `readings`: reading, estimator, variant, counted, more.
-    """
-    table = readings.merge(rows, on=["estimator", "variant", "counted"])
+    """errors.csv: the rows of every reading, one per norm; on meshes not `full`, those of readings
+    with `more`."""
+    table = readings.merge(rows, on=VARIANT)
     table = table[table.full | table.more]
-    first = ["surface", "diagonal", "n", "triangles", "estimator", "reading", "quantity", "norm"]
-    table = table.sort_values(first[:3] + first[4:], kind="stable")
-    return table[[*first, "value", "vertices", "undefined"]]
+    key = ["surface", "diagonal", "n", "triangles", "estimator", "reading", "quantity"]
+    table = table.sort_values(key[:3] + key[4:], kind="stable", ignore_index=True)
+    norms = sorted(NORMS)
+    long = table.loc[table.index.repeat(len(norms)), [*key, "vertices", "undefined"]]
+    long.insert(len(key), "norm", norms * len(table))
+    long.insert(len(key) + 1, "value", table[norms].to_numpy().ravel())
+    return long
 
 
-def convergence(rows) -> pd.DataFrame:
-    """One row per curve, by variant: the slope of log(mean error) over log(n) and what it says.
+def curves(rows, readings) -> pd.DataFrame:
+    """curves.csv, from variants.csv: what the mean errors of a variant do as n grows.
 
-    `slope` by least squares over all resolutions, with its standard error `stderr` and, by
-    leaving out one resolution after the other, `jackknife`; `tail` and `tail_stderr` are slope
-    and standard error over the finest half (at least three), up to n = `finest`. Errors below
-    `rounding` are no part of a fit. Verdicts: `exact` where at most one exceeds rounding, else
-    by `tail`, which is -2 for an error of O(h^2): `converges` below -STAGNATION, `diverges`
-    above it, `stagnates` between. Curves of one resolution are left out.
+    `more` is false for the curves over the full meshes alone, true for those over all meshes,
+    which readings with `more` go by. `slope` of log(error) over log(n) by least squares over all
+    resolutions, with its standard error `stderr` and, by leaving out one resolution after the
+    other, `jackknife`; `tail` and `tail_stderr` are slope and standard error over the finest half
+    (at least three), up to n = `finest`. Errors below `rounding` are no part of a fit. `verdict`
+    goes by `tail`. Curves of one resolution are left out.
     """
-    mean = rows[rows.norm == "mean"].sort_values("n")
-    rises = mean.assign(rises=mean.groupby(CURVE).value.diff() >= 0).groupby(CURVE).rises.any()
-    by_n = mean.set_index([*CURVE, "n"]).value.unstack("n")
-    by_n = by_n[by_n.notna().sum(axis=1) > 1]
-    curves = by_n.index.to_frame(index=False)
-    levels = rounding_levels(rows)
-    level = np.array([levels[key] for key in zip(curves.surface, curves.quantity)])
+    everywhere = rows.merge(readings.loc[readings.more, VARIANT].drop_duplicates(), on=VARIANT)
+    rows = pd.concat([rows[rows.full].assign(more=False), everywhere.assign(more=True)])
+    rows = rows.sort_values("n")
+    rises = rows.assign(rises=rows.groupby(CURVE)["mean"].diff() >= 0).groupby(CURVE).rises.any()
+    by_n = rows.set_index([*CURVE, "rounding", "n"])["mean"].unstack("n")
+    by_n = by_n[by_n.notna().sum(axis=1) > 1].reset_index("rounding")
+    level = by_n.pop("rounding").to_numpy()
 
-    value = by_n.to_numpy()
+    n, value = by_n.columns.to_numpy(float), by_n.to_numpy(float)
     use = value > level[:, None]
-    x, y = np.log(by_n.columns.to_numpy(float)), np.log(np.where(use, value, 1))
+    x, y = np.log(n), np.log(np.where(use, value, 1))
     count = use.sum(1)
     # The finest half: of the points in use, those with few enough from there on.
     behind = use[:, ::-1].cumsum(1)[:, ::-1]
@@ -73,41 +80,68 @@ def convergence(rows) -> pd.DataFrame:
     fits["jackknife"] = _jackknife(x, y, use)
     fits |= zip(("tail", "tail_stderr"), slope_fit(x, y, tail))
     fits["monotone"] = ~rises[by_n.index].to_numpy()
-    fits["verdict"] = [verdict(t) if c > 1 else "exact" for t, c in zip(fits["tail"], count)]
+    fits["verdict"] = verdicts(fits["tail"], value, use)
     exists = by_n.notna().to_numpy()
     finest = by_n.columns.to_numpy()[exists.shape[1] - 1 - exists[:, ::-1].argmax(1)]
-    return curves.assign(**fits, finest=finest, rounding=level)
+    return by_n.index.to_frame(index=False).assign(**fits, finest=finest, rounding=level)
 
 
-def verdict(slope) -> str:
-    """What a slope over log(n) says."""
-    if abs(slope) < STAGNATION:
-        return "stagnates"
-    return "converges" if slope < 0 else "diverges"
+def verdicts(slopes, values, use) -> list[str]:
+    """What slopes over log(n) (m,) of errors (m, n) say, those above rounding being in `use`.
+
+    `undefined` without any error, `exact` where at most one exceeds rounding, else by slope, -2
+    for an error of O(h^2): `converges` below -STAGNATION, `diverges` above it, `stagnates` between.
+    """
+    chosen = [np.isnan(values).all(1), use.sum(1) < 2, slopes < -STAGNATION, slopes > STAGNATION]
+    names = ["undefined", "exact", "converges", "diverges"]
+    found = np.select([*chosen, np.isfinite(slopes)], [*names, "stagnates"], "undefined")
+    return found.tolist()
 
 
-def by_reading(rows, readings) -> pd.DataFrame:
+def convergence(curves, readings) -> pd.DataFrame:
     """convergence.csv: the curves of every reading, each over the meshes that it was run on."""
-    key = ["estimator", "variant", "counted"]
-    every, full = convergence(rows), convergence(rows[rows.full])
-    more, others = readings[readings.more], readings[~readings.more]
-    table = pd.concat([more.merge(every, on=key), others.merge(full, on=key)])
+    table = readings.merge(curves, on=[*VARIANT, "more"])
     first = ["surface", "diagonal", "estimator", "reading", "quantity"]
-    table = table.sort_values(first, kind="stable").drop(columns=["variant", "counted", "more"])
-    return table[[*first, *table.columns.difference(first, sort=False)]]
+    table = table.sort_values(first, kind="stable")
+    return table[[*first, *curves.columns.difference([*first, *CURVE], sort=False)]]
 
 
-def ranks(table, levels) -> pd.DataFrame:
-    """ranks.csv, from errors.csv: 1 for the smallest mean error; what differs from the next
-    smaller one by rounding shares its rank."""
+def ring_slopes(rings) -> pd.DataFrame:
+    """rings.csv: per valence, kind of ring, quantity, estimator and variant the slope of
+    log(mean error) over log(1/h) on the smaller half of the sizes, its standard error, verdict."""
+    key = ["valence", "ring", "quantity", "estimator", "variant"]
+    by_h = rings.set_index([*key, "h"]).value.unstack("h")
+    by_h = by_h.iloc[:, : (len(by_h.columns) + 1) // 2]
+    value = by_h.to_numpy(float)
+    # The quadrics are drawn with principal curvatures up to 1.
+    level = [rounding_level(quantity, 1.0) for quantity in by_h.index.get_level_values("quantity")]
+    use = value > np.reshape(level, (-1, 1))
+    x, y = -np.log(by_h.columns.to_numpy(float)), np.log(np.where(use, value, 1))
+    slope, stderr = slope_fit(x, y, use)
+    fits = {"slope": slope, "stderr": stderr, "verdict": verdicts(slope, value, use)}
+    return by_h.index.to_frame(index=False).assign(**fits)
+
+
+def ranks(errors, rows) -> pd.DataFrame:
+    """ranks.csv, from errors.csv and, for the rounding levels, variants.csv: 1 for the smallest
+    mean error; what differs from the next smaller one by rounding shares its rank. An estimator
+    without an error has none."""
     group = ["surface", "diagonal", "n", "reading", "quantity"]
-    mean = table[table.norm == "mean"].sort_values([*group, "value", "estimator"], kind="stable")
-    level = [levels[key] for key in zip(mean.surface, mean.quantity)]
+    mean = errors[(errors.norm == "mean") & errors.value.notna()]
+    mean = mean.sort_values([*group, "value", "estimator"], kind="stable")
+    levels = rows.groupby(["surface", "quantity"]).rounding.first()
+    level = levels.reindex(pd.MultiIndex.from_frame(mean[["surface", "quantity"]])).to_numpy()
     before = mean.groupby(group, sort=False).value.shift()
     starts = ~(mean.value <= before + np.maximum(level, ROUNDING * before))
     place = mean.groupby(group, sort=False).cumcount() + 1
     rank = place.where(starts).ffill().astype(int)
     return mean[[*group, "estimator", "value"]].assign(rank=rank)
+
+
+def concat(tables) -> pd.DataFrame:
+    """Tables of the same columns below each other; a table without rows says nothing of types."""
+    tables = list(tables)
+    return pd.concat([t for t in tables if len(t)] or tables[:1], ignore_index=True)
 
 
 def _jackknife(x, y, use):

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from curvlib.meshes.mesh import Mesh
-from curvlib.nurbs.surface import Surface
+from .quantities import QUANTITIES, absolute
 
 NORMS = ("mean", "q95", "max", "mean-signed")
 
@@ -15,43 +14,42 @@ ROUNDING = 1e-9
 
 
 def error_rows(exact, estimates, counted):
-    """Yield a dict with quantity, norm, value, vertices and undefined for each norm.
+    """Yield a dict per quantity: its error in each of NORMS, `vertices` and `undefined`.
 
-    The error of K is |K - K_est|, that of H | |H| - |H_est| | as in the paper, blind to sign;
-    the norm `mean-signed` is the mean of |H - H_est|. Of the vertices in `counted` (V,) bool,
-    `vertices` have exact value and estimate both defined, `undefined` have not. A quantity
-    without any estimate has no rows.
+    The norms are those of the quantity's own error, |K - K_est| and | |H| - |H_est| | as in the
+    paper; `mean-signed` is the mean of |x - x_est|, an absolute error too, but one that sees a
+    wrong sign. Of the vertices in `counted` (V,) bool, `vertices` have exact value and estimate
+    both defined, `undefined` have not; norms over no vertex are NaN.
     """
-    for quantity in ("K", "H"):
-        a, b = getattr(exact, quantity), getattr(estimates, quantity)
+    for name, quantity in QUANTITIES.items():
+        a, b = getattr(exact, name), getattr(estimates, name)
         defined = np.isfinite(a) & np.isfinite(b) & counted
-        if not defined.any():
-            continue
         a, b = a[defined], b[defined]
-        signed = np.abs(a - b)
-        error = signed if quantity == "K" else np.abs(np.abs(a) - np.abs(b))
-        values = (error.mean(), np.quantile(error, 0.95), error.max(), signed.mean())
+        error, values = quantity.error(a, b), np.full(len(NORMS), np.nan)
+        if defined.any():
+            values = error.mean(), np.quantile(error, 0.95), error.max(), absolute(a, b).mean()
         count = {"vertices": int(defined.sum()), "undefined": int((counted & ~defined).sum())}
-        for norm, value in zip(NORMS, values):
-            yield {"quantity": quantity, "norm": norm, "value": float(value), **count}
+        yield {"quantity": name, **dict(zip(NORMS, map(float, values))), **count}
 
 
-def counted_vertices(mesh: Mesh, surface: Surface) -> dict:
-    """The choices of vertices, (V,) bool each: `interior` is all (the boundary has no estimate
-    anyway), `without-poles` leaves out poles and their one-rings; only where there is a pole."""
+def counted_vertices(mesh) -> dict:
+    """The choices of vertices of a Mesh, (V,) bool each: `interior` is all (the boundary has no
+    estimate anyway), `without-poles` leaves out poles and their one-rings; only where there is a
+    pole."""
     everywhere = np.ones(len(mesh.vertices), dtype=bool)
-    poles = np.zeros_like(everywhere)
-    for axis in (0, 1):
-        for end in (0, -1):
-            if surface.has_pole(axis, end):
-                poles |= mesh.uv[:, axis] == surface.domain[axis][end]
-    if not poles.any():
+    if not mesh.pole.any():
         return dict(zip(VERTICES, (everywhere,)))
-    near = np.zeros_like(poles)
-    near[mesh.faces[poles[mesh.faces].any(1)]] = True
+    near = np.zeros_like(everywhere)
+    near[mesh.faces[mesh.pole[mesh.faces].any(1)]] = True
     return dict(zip(VERTICES, (everywhere, ~near)))
 
 
-def largest_curvature(mesh: Mesh) -> float:
-    """The largest |k| at the vertices: the scale of the surface's curvature."""
+def largest_curvature(mesh) -> float:
+    """The largest |k| at the vertices of a Mesh: the scale of the surface's curvature."""
     return float(np.nanmax(np.abs([mesh.k1, mesh.k2])))
+
+
+def rounding_level(quantity: str, largest_k: float) -> float:
+    """The error of a quantity below which nothing but rounding is left, on a surface whose
+    largest |k| is `largest_k`."""
+    return ROUNDING * largest_k ** QUANTITIES[quantity].power

@@ -29,3 +29,9 @@ QUANTITIES = {
     "K": Quantity("K", "Gaussian curvature K", "1/length²", 2, absolute),
     "H": Quantity("|H|", "mean curvature H", "1/length", 1, of_magnitudes),
 }
+
+
+def difference(name: str, symbol: str) -> str:
+    """TeX of the error of a symbol that holds the quantity's name: ||H| - |H_est||."""
+    estimate = symbol.replace(name, rf"{name}_\mathrm{{est}}")
+    return f"$|{symbol} - {estimate}|$"

@@ -6,65 +6,82 @@ from types import SimpleNamespace
 
 from curvlib.estimation import estimate
 from curvlib.files import open_hdf5, whole_file, write_hdf5
+from curvlib.meshes.key import MeshKey
 
-from .norms import counted_vertices, error_rows, largest_curvature
+from .norms import NORMS, counted_vertices, error_rows, largest_curvature
 from .quantities import QUANTITIES
+
+COLUMNS = (*MeshKey._fields, "triangles", "largest_k", "estimator", "variant", "counted")
+COLUMNS += ("quantity", *NORMS, "vertices", "undefined")
 
 
 def run_estimator(
-    estimator: str, variants: dict, more, meshes, surfaces: dict, full, output, **attributes
+    estimator: str, variants: dict, everywhere, meshes, full, values, errors, **attributes
 ):
-    """Run an estimator on meshes; write `output.values` and `output.errors`, whole or not at all.
+    """Run an estimator on meshes; write two files, `values` and `errors`, both whole or neither.
 
-    `variants`: options by key, the default's first. `meshes`: (surface, diagonal, n) -> Mesh.
-    `surfaces`: Surface by name. `full`: the (diagonal, n) on which every variant is run; on
-    others it is those in `more`. The values (HDF5: /<surface>/<diagonal>/<n>/K and H) are those
-    of the default on the full ones; the errors (CSV) those of every variant and choice of
-    vertices.
+    Parameters
+    ----------
+    estimator : str
+        Name or path.
+    variants : dict
+        Options by key, the default's first.
+    everywhere : collection of str
+        The keys of those variants that are run on every mesh; the others on the full ones.
+    meshes : mapping
+        MeshKey -> Mesh.
+    full : collection of MeshKey
+        The meshes on which every variant is run.
+    values : path
+        HDF5, /<surface>/<diagonal>/<n>/<quantity>: the default's values on the full meshes.
+    errors : path
+        CSV of COLUMNS: the error norms of every variant and choice of vertices. The header is
+        there also without a row.
+    **attributes
+        Of the root of `values`.
     """
-    stem, default = Path(estimator).stem, next(iter(variants))
-
-    def rows():
-        for (surface, diagonal, n), mesh in meshes.items():
-            is_full = (diagonal, n) in full
-            chosen = variants if is_full else {key: variants[key] for key in more}
-            mesh_labels = {"surface": surface, "diagonal": diagonal, "n": n}
-            mesh_labels |= {"triangles": len(mesh.faces), "largest_k": largest_curvature(mesh)}
-            choices = counted_vertices(mesh, surfaces[surface])
-            for variant, options in chosen.items():
-                result = estimate(mesh, estimator, **options)
-                if variant == default and is_full:
-                    for quantity in QUANTITIES:
-                        values = getattr(result, quantity)
-                        file[f"{surface}/{diagonal}/{n}/{quantity}"] = values
-                for choice, counted in choices.items():
-                    labels = {"estimator": stem, "variant": variant, "counted": choice}
-                    for row in error_rows(mesh, result, counted):
-                        yield mesh_labels | labels | row
-
-    with whole_file(output.values) as part, write_hdf5(part) as file:
-        file.attrs.update(attributes, options=default)
-        write_rows(output.errors, rows())
+    stem, default, full = Path(estimator).stem, next(iter(variants)), set(full)
+    arrays, rows = {}, []
+    for key, mesh in meshes.items():
+        labels = key._asdict() | {"triangles": len(mesh.faces)}
+        labels |= {"largest_k": largest_curvature(mesh), "estimator": stem}
+        choices = counted_vertices(mesh)
+        for variant in variants if key in full else everywhere:
+            result = estimate(mesh, estimator, **variants[variant])
+            if variant == default and key in full:
+                for quantity in QUANTITIES:
+                    arrays["/".join(map(str, (*key, quantity)))] = getattr(result, quantity)
+            for choice, counted in choices.items():
+                of_run = labels | {"variant": variant, "counted": choice}
+                rows += (of_run | row for row in error_rows(mesh, result, counted))
+    with whole_file(values) as part_of_values, whole_file(errors) as part_of_errors:
+        with write_hdf5(part_of_values) as file:
+            file.attrs.update(attributes, options=default)
+            for name, array in arrays.items():
+                file[name] = array
+        _write_csv(part_of_errors, COLUMNS, rows)
 
 
-def write_rows(path, rows) -> None:
-    """Write dicts of the same keys as CSV, whole or not at all; no rows make an empty file."""
-    with whole_file(path) as part, part.open("w", newline="", encoding="utf-8") as file:
-        writer = None
-        for row in rows:
-            if writer is None:
-                writer = csv.DictWriter(file, row, lineterminator="\n")
-                writer.writeheader()
-            writer.writerow(row)
+def write_rows(path, columns, rows) -> None:
+    """Write dicts with these keys as CSV, whole or not at all; no rows leave the header."""
+    with whole_file(path) as part:
+        _write_csv(part, columns, rows)
+
+
+def _write_csv(path, columns, rows):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
 
 
 def read_values(path, only=None) -> dict:
-    """(surface, diagonal, n) -> estimates by quantity in the default reading, of `run_estimator`;
-    `only` of these keys, else of all that are there."""
+    """MeshKey -> the estimates of `run_estimator` by quantity, default reading; `only` of these
+    keys, else of all that are there."""
     with open_hdf5(path) as file:
-        keys = only or [(s, d, int(n)) for s in file for d in file[s] for n in file[s][d]]
+        keys = only or [MeshKey(s, d, int(n)) for s in file for d in file[s] for n in file[s][d]]
         groups = {key: file["/".join(map(str, key))] for key in keys}
         return {
-            key: SimpleNamespace(**{quantity: group[quantity][()] for quantity in QUANTITIES})
+            key: SimpleNamespace(**{name: values[()] for name, values in group.items()})
             for key, group in groups.items()
         }

@@ -5,7 +5,8 @@ import numpy as np
 from curvlib.catalogue import estimators
 from curvlib.estimation import estimate, takes_mesh
 from curvlib.kit.ring import one_ring
-from curvlib.meshes.mesh import Mesh
+
+from .quantities import QUANTITIES, absolute
 
 # Standard deviation of the displacement, as a fraction of the mean edge.
 SIGMAS = (0.0, 0.001, 0.01, 0.05)
@@ -15,13 +16,18 @@ VALENCES = range(3, 10)
 SIZES = 0.5 ** np.arange(1, 9)
 RING_DRAWS = 100
 
+NOISE_COLUMNS = ("variant", "quantity", "sigma", "draws", "value", "spread")
+RING_COLUMNS = ("variant", "valence", "ring", "h", "quantity", "value", "undefined")
 
-def noise_rows(mesh: Mesh, estimator: str, variants: dict, seed: int = 0):
-    """Yield rows of noise.csv for one mesh: mean absolute errors under displaced vertices.
+
+def noise_rows(mesh, estimator: str, variants: dict, seed: int = 0):
+    """Yield dicts of NOISE_COLUMNS for one Mesh: mean errors under displaced vertices.
 
     Every vertex moves along its exact normal by a normal deviate, the same for all estimators.
-    `value` is the mean over the draws of the mean error (of |H| for H), `spread` their standard
-    deviation.
+    The moved mesh keeps the normals of the clean surface, so that the reading `normal=exact` is
+    an oracle here: it knows what no scanner measures. `value` is the mean over the draws of the
+    mean error, `spread` their standard deviation, over the vertices that are defined in all draws;
+    NaN where none is.
     """
     edges = mesh.vertices[mesh.faces] - mesh.vertices[np.roll(mesh.faces, -1, axis=1)]
     length = np.linalg.norm(edges, axis=2).mean()
@@ -33,18 +39,16 @@ def noise_rows(mesh: Mesh, estimator: str, variants: dict, seed: int = 0):
         noisy = [mesh.moved(mesh.vertices + np.nan_to_num(s * mesh.normals)) for s in shifts]
         for variant, options in variants.items():
             results = [estimate(m, estimator, **options) for m in noisy]
-            for quantity in ("K", "H"):
-                found = np.array([getattr(r, quantity) for r in results])
-                exact = getattr(mesh, quantity)
-                if quantity == "H":
-                    found, exact = np.abs(found), np.abs(exact)
-                defined = np.isfinite(found).all(0) & np.isfinite(exact)
-                if not defined.any():
-                    continue
-                means = np.abs(found - exact)[:, defined].mean(1)
+            for name, quantity in QUANTITIES.items():
+                estimates = np.array([getattr(result, name) for result in results])
+                exact = getattr(mesh, name)
+                defined = np.isfinite(estimates).all(0) & np.isfinite(exact)
+                means = np.full(draws, np.nan)
+                if defined.any():
+                    means = quantity.error(exact, estimates)[:, defined].mean(1)
                 yield {
                     "variant": variant,
-                    "quantity": quantity,
+                    "quantity": name,
                     "sigma": sigma,
                     "draws": draws,
                     "value": float(means.mean()),
@@ -53,14 +57,15 @@ def noise_rows(mesh: Mesh, estimator: str, variants: dict, seed: int = 0):
 
 
 def ring_rows(estimator: str, variants: dict, seed: int = 0):
-    """Yield rows of rings.csv: mean absolute error against ring size h, valence by valence.
+    """Yield dicts of RING_COLUMNS: mean absolute error against ring size h, valence by valence.
 
     Each draw is a quadric through the origin, tangent to z = 0 there,
 
         z = (k1 x^2 + k2 y^2) / 2 + z (p x + q y) + r z^2 / 2,
 
     and a ring about the origin: `regular` neighbours at equal angles and distances h in the
-    tangent plane, `irregular` ones jittered in both. An estimator of whole meshes has no rows.
+    tangent plane, `irregular` ones jittered in both. The error is that of signed values: the
+    ring's side is known. `undefined` draws have none. An estimator of whole meshes has no rows.
     """
     function = estimators.module(estimator).estimate
     if takes_mesh(function):
@@ -74,7 +79,9 @@ def ring_rows(estimator: str, variants: dict, seed: int = 0):
             steps = np.arange(n)[:, None] + jitter * rng.uniform(-1, 1, (n, RING_DRAWS))
             distance = 1 + jitter * rng.uniform(-1, 1, (n, RING_DRAWS))
             angle = turn + 2 * np.pi * steps / n
-            K, H = (k1 * k2)[0], -(k1 + k2)[0] / 2
+            # The normal is +z, from which the quadric bends away where k1 and k2 are negative.
+            exact = {"K": (k1 * k2)[0], "H": -(k1 + k2)[0] / 2}
+            exact |= {"k1": -np.minimum(k1, k2)[0], "k2": -np.maximum(k1, k2)[0]}
             for h in SIZES:
                 x, y = h * distance * np.cos(angle), h * distance * np.sin(angle)
                 f, b = (k1 * x * x + k2 * y * y) / 2, 1 - p * x - q * y
@@ -84,16 +91,19 @@ def ring_rows(estimator: str, variants: dict, seed: int = 0):
                 ring = one_ring(np.stack((x, y, z)), up)
                 for variant, options in variants.items():
                     with np.errstate(divide="ignore", invalid="ignore"):
-                        found = function(ring, **options)
-                    for quantity, exact, value in zip("KH", (K, H), found):
-                        if value is not None:
-                            error = np.abs(value - exact)
-                            yield {
-                                "variant": variant,
-                                "valence": n,
-                                "ring": kind,
-                                "h": float(h),
-                                "quantity": quantity,
-                                "value": float(error[np.isfinite(error)].mean()),
-                                "undefined": int((~np.isfinite(error)).sum()),
-                            }
+                        returned = function(ring, **options)
+                    by_name = dict(zip(getattr(returned, "_fields", ("K", "H")), returned))
+                    for quantity in QUANTITIES:
+                        if by_name.get(quantity) is None:
+                            continue
+                        error = absolute(exact[quantity], by_name[quantity])
+                        defined = np.isfinite(error)
+                        yield {
+                            "variant": variant,
+                            "valence": n,
+                            "ring": kind,
+                            "h": float(h),
+                            "quantity": quantity,
+                            "value": float(error[defined].mean()) if defined.any() else np.nan,
+                            "undefined": int((~defined).sum()),
+                        }

@@ -12,6 +12,7 @@ from pathlib import Path, PurePosixPath
 
 from curvlib.errors import InputError, check_name
 from curvlib.files import no_such_file, open_archive, open_hdf5
+from curvlib.meshes.key import MeshKey
 from curvlib.meshes.mesh import Mesh
 
 from .sums import check_unchanged
@@ -82,7 +83,7 @@ def load_library(*paths: str | os.PathLike) -> "Library":
 
 
 class Library(Mapping):
-    """Meshes with exact curvature by (surface, diagonal, n), as `load_library` finds them.
+    """Meshes with exact curvature by MeshKey, as `load_library` finds them.
 
     A read-only mapping: `library[surface, diagonal, n]` reads a mesh and raises KeyError where
     there is none; `library.mesh` names the nearest one instead. No mesh is kept in memory.
@@ -90,7 +91,7 @@ class Library(Mapping):
     Parameters
     ----------
     files : dict
-        (surface, diagonal, n) -> (path, None) of a .vtkhdf file, or (path, member) of an archive.
+        MeshKey -> (path, None) of a .vtkhdf file, or (path, member) of an archive.
     """
 
     def __init__(self, files: dict):
@@ -170,7 +171,7 @@ class Library(Mapping):
         keys = list(keys)
         for key in keys:
             self._check(key)
-        return Library({key: self._files[key] for key in keys})
+        return Library({MeshKey(*key): self._files[key] for key in keys})
 
     @cached_property
     def _place(self):
@@ -195,7 +196,7 @@ class Library(Mapping):
 
 
 def _meshes(path):
-    """Yield ((surface, diagonal, n), (path, member or None)) of a folder, archive or file."""
+    """Yield (MeshKey, (path, member or None)) of a folder, archive or file."""
     if path.is_dir():
         files = [(file, file, None) for file in path.glob("*/*.vtkhdf")]
     elif path.suffix == ".zip":
@@ -206,4 +207,4 @@ def _meshes(path):
     for name, *place in sorted(files):
         surface, *key = name.stem.rsplit(".", 2)
         if name.suffix == ".vtkhdf" and len(key) == 2 and key[1].isdecimal():
-            yield (surface, key[0], int(key[1])), tuple(place)
+            yield MeshKey(surface, key[0], int(key[1])), tuple(place)

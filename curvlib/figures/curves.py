@@ -4,11 +4,14 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
-from .style import NAMES, SYMBOLS, UNITS
+from curvlib.comparison.quantities import QUANTITIES
+
+from .style import in_style
 
 
+@in_style
 def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Figure:
-    """Mean absolute error of K or |H| against the number of triangles, as Figures 3 to 6.
+    """Mean absolute error of a quantity against the number of triangles, as Figures 3 to 6.
 
     One curve per estimator in the default reading, log-log, at the resolutions in the table.
     `modules`: the module of every surface and estimator, by name, for label and style. An error
@@ -36,8 +39,9 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
     _guide(axes, triangles)
     axes.yaxis.set_minor_formatter(NullFormatter())
     axes.set_xlabel("triangles")
-    axes.set_ylabel(f"mean absolute error of {SYMBOLS[quantity]} ({UNITS[quantity]})")
-    axes.set_title(f"{modules[surface].LABEL}, {NAMES[quantity]}", loc="left")
+    symbol, name, unit, *_ = QUANTITIES[quantity]
+    axes.set_ylabel(f"mean absolute error of {symbol} ({unit})")
+    axes.set_title(f"{modules[surface].LABEL}, {name}", loc="left")
     axes.grid(True, which="major", color="0.9", linewidth=0.6)
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     return figure
@@ -75,30 +79,33 @@ def _shown(table, surfaces, quantity):
     return here & (table.quantity == quantity) & (table.reading == "default")
 
 
+@in_style
 def rank_plot(ranks, quantity: str, surfaces, modules, n: int) -> Figure:
     """Rank of each estimator on each surface by mean error at resolution `n`, default reading;
     tied estimators stand side by side."""
     shown = ranks[_shown(ranks, surfaces, quantity) & (ranks.n == n)]
     figure = Figure(figsize=(7.2, 3.8))
     axes = figure.add_axes((0.07, 0.19, 0.71, 0.72))
-    for name, places in shown.groupby("estimator"):
-        places = places.set_index("surface")
+    for name, own in shown.groupby("estimator"):
+        rank = own.set_index("surface")["rank"]
         x, y = [], []
         for i, surface in enumerate(surfaces):
-            tied = shown[(shown.surface == surface) & (shown["rank"] == places["rank"][surface])]
+            if surface not in rank:
+                continue  # no estimate there
+            tied = shown[(shown.surface == surface) & (shown["rank"] == rank[surface])]
             beside = sorted(tied.estimator).index(name) - (len(tied) - 1) / 2
             x.append(i + 0.16 * beside)
-            y.append(places["rank"][surface])
+            y.append(rank[surface])
         style = modules[name].STYLE | {"markersize": 7}
-        (places,) = axes.plot(x, y, label=modules[name].LABEL, **style | {"linestyle": "none"})
-        # Only the places mean something: the line between them is there to be followed.
-        axes.plot(x, y, color=places.get_color(), linewidth=0.5, alpha=0.5, zorder=1)
+        (marks,) = axes.plot(x, y, label=modules[name].LABEL, **style | {"linestyle": "none"})
+        # Only the marks mean something: the line between them is there to be followed.
+        axes.plot(x, y, color=marks.get_color(), linewidth=0.5, alpha=0.5, zorder=1)
     axes.invert_yaxis()
-    axes.set_yticks(range(1, shown["rank"].max() + 1))
+    axes.set_yticks(range(1, shown["rank"].max() + 1) if len(shown) else [])
     labels = [modules[surface].LABEL for surface in surfaces]
     angle = {"rotation": 20, "ha": "right", "rotation_mode": "anchor", "fontsize": 8}
     axes.set_xticks(range(len(surfaces)), labels, **angle)
-    axes.set_ylabel(f"rank by mean error of {SYMBOLS[quantity]}")
-    axes.set_title(f"Ranks for {NAMES[quantity]} at n = {n}", loc="left")
+    axes.set_ylabel(f"rank by mean error of {QUANTITIES[quantity].symbol}")
+    axes.set_title(f"Ranks for {QUANTITIES[quantity].label} at n = {n}", loc="left")
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8)
     return figure

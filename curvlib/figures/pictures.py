@@ -12,9 +12,10 @@ from matplotlib.colors import AsinhNorm, LogNorm
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
-from curvlib.comparison.norms import ROUNDING, largest_curvature
+from curvlib.comparison.norms import ROUNDING, largest_curvature, rounding_level
+from curvlib.comparison.quantities import QUANTITIES, difference
 
-from .style import DPI, NAMES, UNITS
+from .style import DPI, in_style
 from .views import View, edges, iso_lines
 
 PAGE = 1400  # pixels
@@ -27,9 +28,9 @@ NEUTRAL = (0.78, 0.78, 0.78)
 AMBIENT = 0.8  # of the light on colours that have to be read
 COVERED = 0.99  # of the surface, or of the errors: within the ends of a scale
 FLAT = AsinhNorm(1, -1, 1)  # of what is zero everywhere
-POWER = {"K": 2, "H": 1}  # of a principal curvature
 
 
+@in_style
 def surface_plate(meshes, numbers, modules, draw) -> Figure:
     """The surfaces with iso-parameter lines, named and numbered: the paper's Figure 1.
 
@@ -42,6 +43,7 @@ def surface_plate(meshes, numbers, modules, draw) -> Figure:
     return plate.figure
 
 
+@in_style
 def tessellation_plate(meshes, modules, draw) -> Figure:
     """Meshes, each facet shaded by itself, with edges and triangle counts: the paper's Figure 2."""
     plate = _Plate(len(meshes), below=50, shape=0.8)
@@ -54,8 +56,9 @@ def tessellation_plate(meshes, modules, draw) -> Figure:
     return plate.figure
 
 
+@in_style
 def curvature_map(meshes, quantity: str, modules, draw) -> Figure:
-    """The surfaces coloured by exact K or H, each on its own scale with zero in the middle.
+    """The surfaces coloured by an exact quantity, each on its own scale with zero in the middle.
 
     Linear up to the median of the absolute values by area, logarithmic from there, to what
     COVERED of the area does not exceed.
@@ -63,7 +66,7 @@ def curvature_map(meshes, quantity: str, modules, draw) -> Figure:
     plate = _Plate(len(meshes), below=130, foot=80)
     for ((surface, *_), mesh), panel in zip(meshes.items(), plate.panels):
         values = getattr(mesh, quantity)
-        norm = _around_zero(values, mesh, largest_curvature(mesh) ** POWER[quantity])
+        norm = _around_zero(values, mesh, rounding_level(quantity, largest_curvature(mesh)))
         colours = _colours(values, norm, DIVERGING)
         panel.show(draw(_view(mesh, modules[surface], panel).scene(colours, ambient=AMBIENT)))
         panel.title(modules[surface].LABEL)
@@ -71,8 +74,9 @@ def curvature_map(meshes, quantity: str, modules, draw) -> Figure:
             panel.scale(norm, DIVERGING, values)
         elif np.isfinite(values).any():
             panel.text(0.5, -52 / panel.size[1], f"{quantity} = 0", ha="center")
+    _, name, unit, *_ = QUANTITIES[quantity]
     plate.words(
-        f"Exact {NAMES[quantity]} in {UNITS[quantity]}. Each scale is linear up to the median of "
+        f"Exact {name} in {unit}. Each scale is linear up to the median of "
         f"|{quantity}| over the area\nand logarithmic from there; {COVERED:.0%} of the area lies "
         "within, the rest beyond the arrows."
     )
@@ -81,18 +85,20 @@ def curvature_map(meshes, quantity: str, modules, draw) -> Figure:
     return plate.figure
 
 
+@in_style
 def error_map(mesh, estimates, quantity: str, surface, modules, draw) -> Figure:
-    """Where each estimator errs on one mesh: |K - K_est|, or ||H| - |H_est|| as in the paper.
+    """Where each estimator errs on one mesh, by the quantity's own error.
 
-    `estimates`: name -> Estimates; `surface`: the surface's module; `modules`: the estimators'.
-    One scale for all, logarithmic, from the quantile 1 - COVERED of all errors to COVERED.
+    `estimates`: name -> estimates by quantity; `surface`: the surface's module; `modules`: the
+    estimators'. One scale for all, logarithmic, from the quantile 1 - COVERED of all errors to
+    COVERED.
     """
+    symbol, _, unit, _, error = QUANTITIES[quantity]
     errors = {}
     for name, values in estimates.items():
-        both = np.stack([getattr(mesh, quantity), getattr(values, quantity)])
-        if np.isfinite(both[1]).any():
-            exact, estimate = both if quantity == "K" else np.abs(both)
-            errors[name] = np.abs(exact - estimate)
+        estimate = getattr(values, quantity)
+        if np.isfinite(estimate).any():
+            errors[name] = error(getattr(mesh, quantity), estimate)
     every = np.concatenate([[], *errors.values()])
     norm = _logarithmic(every)
     part = getattr(surface, "CLOSE_UP", None)
@@ -104,8 +110,7 @@ def error_map(mesh, estimates, quantity: str, surface, modules, draw) -> Figure:
             half.show(draw(scene), framed=shown is not None)
         panel.title(modules[name].LABEL)
     plate.words(f"{surface.LABEL}\n{len(mesh.faces)} triangles")
-    symbol = {"K": r"$|K - K_\mathrm{est}|$", "H": r"$||H| - |H_\mathrm{est}||$"}[quantity]
-    plate.scale(norm, SEQUENTIAL, every, f"{symbol} ({UNITS[quantity]})")
+    plate.scale(norm, SEQUENTIAL, every, f"{difference(quantity, symbol)} ({unit})")
     plate.neutral("undefined")
     return plate.figure
 
@@ -120,15 +125,14 @@ def _colours(values, norm, colormap):
     return np.where(np.isfinite(values)[:, None], colours, NEUTRAL)
 
 
-def _around_zero(values, mesh, scale):
-    """The norm of a map of K or H, FLAT where that is 0; `scale`: the largest K or H that the
-    curvatures would allow, beside which rounding is 0."""
+def _around_zero(values, mesh, rounding):
+    """The norm of a map of exact values, FLAT where none exceeds `rounding`."""
     a, b, c = mesh.vertices[mesh.faces].swapaxes(0, 1)
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     areas = np.bincount(mesh.faces.ravel(), np.repeat(areas, 3), len(values))
     order = np.argsort(np.abs(values), kind="stable")[: np.isfinite(values).sum()]
     sizes, covered = np.abs(values[order]), np.cumsum(areas[order])
-    if not (sizes > ROUNDING * scale).any():
+    if not (sizes > rounding).any():
         return FLAT
     typical, limit = np.interp([0.5, COVERED], covered / covered[-1], sizes)
     limit = max(limit, sizes[-1] / 1000)  # which is 0 where nearly everything is

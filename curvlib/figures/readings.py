@@ -3,13 +3,14 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from .style import in_lines
+from .style import in_lines, in_style
 from .verdicts import VERDICTS
 
 NO_MAJORITY = "no majority"
 PALE = "0.86"
 
 
+@in_style
 def specification_curve(claims, readings, claim, surfaces, limit=None, marked=None) -> Figure:
     """One claim in every reading and cut, sorted by effect; below, the choices that each makes.
 

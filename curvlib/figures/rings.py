@@ -6,12 +6,14 @@ from matplotlib.figure import Figure
 from matplotlib.transforms import ScaledTranslation
 from scipy.optimize import isotonic_regression
 
-from .style import UNITS
+from curvlib.comparison.quantities import QUANTITIES, difference
 
-ABSOLUTE = {q: rf"$|{q} - {q}_\mathrm{{est}}|$" for q in "KH"}
+from .style import in_style
+
 ABSENT = "not in this study"
 
 
+@in_style
 def rings_plot(rings, slopes, variants, quantity: str) -> Figure:
     """Error against ring size on a quadric, a line per valence, at whose end its order stands.
 
@@ -50,7 +52,7 @@ def rings_plot(rings, slopes, variants, quantity: str) -> Figure:
         _label_ends(axes, "valence: p")
     style = {"fontsize": 8.5, "ha": "center", "va": "center"}
     figure.text(0.5, 0.022, "ring size h (length); the error falls like O($h^p$)", **style)
-    error = f"mean of {ABSOLUTE[quantity]} ({UNITS[quantity]})"
+    error = f"mean of {difference(quantity, quantity)} ({QUANTITIES[quantity].unit})"
     figure.text(0.017, 0.525, error, rotation=90, **style)
     return figure
 

@@ -1,15 +1,16 @@
-"""What all pictures share: symbols, units, and how they are saved; the same bytes each time."""
+"""What all pictures share: how they look, and how they are saved; the same bytes each time."""
 
 from pathlib import Path
 from textwrap import wrap
 
 import matplotlib
-from matplotlib.figure import Figure
 
-# SVG names its elements from this salt instead of at random.
-matplotlib.rcParams.update(
+from curvlib.files import whole_file
+
+# A decorator of what draws: its settings hold inside, and nobody else's matplotlib changes.
+in_style = matplotlib.rc_context(
     {
-        "svg.hashsalt": "curvlib",
+        "svg.hashsalt": "curvlib",  # names of SVG elements from this salt instead of at random
         "font.size": 9,
         "axes.spines.top": False,
         "axes.spines.right": False,
@@ -17,23 +18,17 @@ matplotlib.rcParams.update(
     }
 )
 
-
 DPI = 200
 
 
-UNITS = {"K": "1/length²", "H": "1/length"}
-
-
-SYMBOLS = {"K": "K", "H": "|H|"}
-
-
-NAMES = {"K": "Gaussian curvature K", "H": "mean curvature H"}
-
-
-def save(figure: Figure, path) -> None:
-    """Write a figure in the format that the path's suffix names."""
+@in_style
+def save(figure, path) -> None:
+    """Write a matplotlib Figure, whole or not at all, in the format that the path's suffix
+    names."""
     kind = Path(path).suffix[1:]
-    figure.savefig(path, dpi=DPI, metadata={"Date": None} if kind == "svg" else None)
+    with whole_file(path) as part:
+        metadata = {"Date": None} if kind == "svg" else None
+        figure.savefig(part, format=kind, dpi=DPI, metadata=metadata)
 
 
 def in_lines(words, most):

@@ -4,13 +4,12 @@ import itertools
 
 from matplotlib.figure import Figure
 
-# What no method can be faster than, by the names in the table of throughput.
-LIMITS = {
-    "arctan2": {"color": "0.5", "linestyle": "--"},
-    "copy": {"color": "0.5", "linestyle": ":"},
-}
+from curvlib.comparison.throughput import LIMITS
+
+from .style import in_style
 
 
+@in_style
 def throughput_plot(table, modules) -> Figure:
     """Vertices per second against vertices, one thread, log-log; a panel per kind of mesh.
 
@@ -21,7 +20,9 @@ def throughput_plot(table, modules) -> Figure:
     others = [m for m in dict.fromkeys(table.method) if m not in modules and m not in LIMITS]
     markers = dict(zip(others, itertools.cycle("x+*dPh")))
     styles = {m: {"color": "black", "linewidth": 0.8, "marker": markers[m]} for m in others}
-    styles |= {name: module.STYLE | {"markersize": 4} for name, module in modules.items()} | LIMITS
+    styles |= {name: module.STYLE | {"markersize": 4} for name, module in modules.items()}
+    dashes = zip(LIMITS, itertools.cycle(("--", ":", "-.")))
+    styles |= {limit: {"color": "0.5", "linestyle": dash} for limit, dash in dashes}
     labels = {name: module.LABEL for name, module in modules.items()}
     figure = Figure(figsize=(4.2 * len(kinds) + 2.4, 4.4), layout="constrained")
     panels = figure.subplots(1, len(kinds), sharey=True, squeeze=False)[0]

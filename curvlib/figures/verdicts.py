@@ -4,12 +4,13 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from .style import in_lines
+from .style import in_lines, in_style
 
 # True, undecided, false: told apart by lightness too.
 VERDICTS = {"true": "#0072B2", "undecided": "#999999", "false": "#D55E00"}
 
 
+@in_style
 def claims_map(verdicts, summary, modules) -> Figure:
     """Claims against surfaces: yes, no or undecided.
 

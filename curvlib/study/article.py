@@ -9,6 +9,13 @@ from pathlib import Path
 from curvlib.errors import InputError
 from curvlib.files import whole_file
 
+# The rows of long tables that the article quotes: the compiler would take seconds to select them.
+EXCERPTS = {
+    "errors": {"norm": ["mean"], "diagonal": ["same"]},
+    "ranks": {"diagonal": ["same"], "reading": ["default"]},
+    "claims": {"claim": ["1", "2"]},
+}
+
 
 def typeset(source, output, results, **values) -> None:
     """Write the PDF of an article to `output`.
@@ -43,7 +50,7 @@ def typeset(source, output, results, **values) -> None:
 
 def excerpts(folder, wanted: dict) -> dict:
     """Parts of the tables `<name>.csv` in a folder, as CSV text: the rows whose columns hold one of
-    the values wanted, name -> column -> values. The compiler would take seconds to select them."""
+    the values wanted, name -> column -> values."""
     return {name: _excerpt(Path(folder, f"{name}.csv"), where) for name, where in wanted.items()}
 
 

@@ -83,11 +83,19 @@ class Readings:
         chosen = (self.options(estimator, self.readings[name]) for name in self.more_readings)
         return list(dict.fromkeys(map(variant, chosen)))
 
-    def rows(self, readings: dict) -> "Rows":
-        """What each reading means: rows reading, estimator (its stem), variant, counted, more."""
+    def rows(self) -> "Rows":
+        """What each reading means: reading, kind, estimator (its stem), variant, counted, more.
+
+        `kind`: `named` in the config, a `single` change, or a `product`, for claims alone.
+        """
+        kinds = dict.fromkeys(self.products(), "product")
+        kinds |= dict.fromkeys(self.single_changes(), "single")
+        kinds |= dict.fromkeys(self.readings, "named")
+        readings = self.all_readings() | self.products()
         return Rows(
             {
                 "reading": name,
+                "kind": kinds[name],
                 "estimator": stem_of(estimator),
                 "variant": variant(self.options(estimator, reading)),
                 "counted": reading.get("vertices", VERTICES[0]),

@@ -1,13 +1,16 @@
 """What an estimator comes to, on disk: values come back bit for bit, or nothing is there."""
 
-from types import SimpleNamespace
-
+import h5py
 import numpy as np
 import pandas as pd
 import pytest
 
 import curvlib
-from curvlib.comparison.run import read_values, run_estimator
+from curvlib.comparison import run as run_module
+from curvlib.comparison.norms import NORMS
+from curvlib.comparison.quantities import QUANTITIES
+from curvlib.comparison.run import COLUMNS, read_values, run_estimator, write_rows
+from curvlib.meshes.key import MeshKey
 
 NAMES = ("sphere", "teapot_spout")
 VARIANTS = {"normal=uniform": {"normal": "uniform"}, "normal=area": {"normal": "area"}}
@@ -16,36 +19,65 @@ VARIANTS = {"normal=uniform": {"normal": "uniform"}, "normal=area": {"normal": "
 @pytest.fixture(scope="module")
 def meshes():
     return {
-        (name, "same", n): curvlib.tessellate(curvlib.surface(name), n)
+        MeshKey(name, "same", n): curvlib.tessellate(curvlib.surface(name), n)
         for name in NAMES
         for n in (8, 12)
     }
 
 
-def run(meshes, folder):
-    """Watanabe B in two variants, both on n = 8 alone."""
-    output = SimpleNamespace(values=folder / "e.h5", errors=folder / "e.csv")
-    surfaces = {name: curvlib.surface(name) for name in NAMES}
-    more = ["normal=uniform"]
-    run_estimator("watanabe_b", VARIANTS, more, meshes, surfaces, {("same", 8)}, output, code="x")
-    return output
+def run(meshes, folder, estimator="watanabe_b", variants=VARIANTS):
+    """An estimator in its variants, all of them on n = 8 alone: the paths of values and errors."""
+    paths = folder / "e.h5", folder / "e.csv"
+    full = [key for key in meshes if key.n == 8]
+    run_estimator(estimator, variants, list(variants)[:1], meshes, full, *paths, code="x")
+    return paths
 
 
 def test_estimates_come_back(meshes, tmp_path):
-    output = run(meshes, tmp_path)
-    found = read_values(output.values)
+    values, errors = run(meshes, tmp_path)
+    found = read_values(values)
     assert list(found) == [(name, "same", 8) for name in NAMES]
-    for key, values in found.items():
-        for a, b in zip(values, curvlib.estimate(meshes[key], "watanabe_b")):
-            np.testing.assert_array_equal(a, b)
-    errors = pd.read_csv(output.errors)
+    for key, estimates in found.items():
+        again = curvlib.estimate(meshes[key], "watanabe_b")
+        for quantity in QUANTITIES:
+            np.testing.assert_array_equal(getattr(estimates, quantity), getattr(again, quantity))
+    with h5py.File(values) as file:
+        assert dict(file.attrs) == {"code": "x", "options": "normal=uniform"}
+    errors = pd.read_csv(errors)
+    assert tuple(errors.columns) == COLUMNS
     assert set(errors.variant[errors.n == 8]) == set(VARIANTS)
     assert set(errors.variant[errors.n == 12]) == {"normal=uniform"}
     assert set(errors.counted[errors.surface == "sphere"]) == {"interior", "without-poles"}
     assert set(errors.counted[errors.surface == "teapot_spout"]) == {"interior"}
 
 
-def test_nothing_half_written(meshes, tmp_path):
-    with pytest.raises(AttributeError):
-        run(meshes | {("sphere", "same", 12): None}, tmp_path)
+def test_an_estimator_without_a_value_has_rows_that_count_what_is_undefined(meshes, tmp_path):
+    nothing = tmp_path / "nothing.py"
+    nothing.write_text(
+        "import numpy as np\nLABEL = 'Nothing'\nSTYLE = {}\n\n\ndef estimate(mesh):\n"
+        "    nan = np.full(len(mesh.vertices), np.nan)\n    return nan, nan\n"
+    )
+    _, errors = run(meshes, tmp_path, str(nothing), {"-": {}})
+    table = pd.read_csv(errors)
+    assert set(table.estimator) == {"nothing"}
+    assert table[list(NORMS)].isna().all(axis=None)
+    assert set(table.vertices) == {0}
+    everywhere = table[(table.counted == "interior") & (table.quantity == "K")]
+    assert everywhere.undefined.tolist() == [len(mesh.vertices) for mesh in meshes.values()]
+
+
+@pytest.mark.parametrize("broken", ["values", "errors"])
+def test_nothing_half_written(meshes, tmp_path, monkeypatch, broken):
+    """Neither file is there where the last mesh, or the writing of either file, fails."""
+    if broken == "values":
+        meshes = meshes | {MeshKey("sphere", "same", 16): None}
+    else:
+        monkeypatch.setattr(run_module, "COLUMNS", COLUMNS[1:])
+    with pytest.raises((AttributeError, ValueError)):
+        run(meshes, tmp_path)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_without_a_row_there_is_the_header(tmp_path):
+    write_rows(tmp_path / "none.csv", ("a", "b"), [])
+    assert (tmp_path / "none.csv").read_text() == "a,b\n"

@@ -1,5 +1,7 @@
 """The measurement of speed: its meshes, its rows and its figure; never a time."""
 
+import importlib
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -26,13 +28,56 @@ def test_torus_is_closed_and_turned_outward(kind):
     assert np.median(r.K[outer]) == pytest.approx(1 / 3, rel=0.2)
 
 
-@pytest.mark.parametrize("method", throughput.methods())
-def test_every_method_fills_its_row(method, monkeypatch):
+class Clock:
+    """Time that passes only while a method runs: `seconds` of each per call."""
+
+    now = 0.0
+
+    def spend(self, seconds):
+        self.now += seconds
+
+
+def test_a_row_has_the_median_time_and_its_ratio_to_the_reference(monkeypatch):
+    clock, spent = Clock(), iter([0, 0, 2.0, 4.0, 3.0])  # the first two are not measured
+    monkeypatch.setattr(throughput.time, "perf_counter", lambda: clock.now)
+    monkeypatch.setattr(throughput, "RUNS", 3)
+    monkeypatch.setattr(throughput, "SECONDS", 1e9)
+    peers = {
+        throughput.REFERENCE: lambda: lambda v, f, threads: clock.spend(0.5),
+        "slow": lambda: lambda v, f, threads: clock.spend(next(spent)),
+    }
+    monkeypatch.setattr(throughput, "PEERS", peers)
+    row = throughput.measure("slow", 1, *torus(10, "irregular"))
+    assert (row["vertices"], row["note"]) == (100, "")
+    assert row["seconds"] == 3.0
+    assert row["vertices_per_second"] == 100 / 3.0
+    assert row["ratio"] == 6.0
+
+
+OURS = [name for name in throughput.methods() if name not in throughput.PEERS]
+
+
+@pytest.mark.parametrize("method", OURS)
+def test_what_needs_no_peer_is_measured(method, monkeypatch):
     monkeypatch.setattr(throughput, "RUNS", 2)
     row = throughput.measure(method, 1, *torus(10, "irregular"))
-    assert row["vertices"] == 100
-    if not row["note"]:
-        assert row["vertices_per_second"] == pytest.approx(100 / row["seconds"])
+    assert row["note"] == ""
+    assert row["seconds"] > 0
+
+
+@pytest.mark.parametrize("method", throughput.PEERS)
+def test_a_peer_is_measured_or_said_to_be_missing(method, monkeypatch):
+    """Whether its package can be imported is asked apart from what makes it."""
+    package = dict(zip(throughput.PEERS, ("igl", "igl", "pyvista", "pymeshlab", "trimesh")))[method]
+    try:
+        importlib.import_module(package)
+        installed = True
+    except ImportError:
+        installed = False
+    monkeypatch.setattr(throughput, "RUNS", 2)
+    row = throughput.measure(method, 1, *torus(10, "irregular"))
+    assert ("seconds" in row) == installed
+    assert row["note"].startswith("not installed: ") != installed
 
 
 def test_a_missing_peer_is_a_row_that_says_so(monkeypatch):

@@ -10,7 +10,7 @@ import reference
 
 import curvlib
 from curvlib.catalogue import estimators as catalogue
-from curvlib.claims.sentences import NINE as PAPER
+from curvlib.claims.cell import NINE as PAPER
 from curvlib.estimation import readings
 from curvlib.kit.ring import alpha, one_ring, total_angle
 from curvlib.kit.vectors import angle

@@ -1,19 +1,26 @@
 """Figures: what is drawn, and the same bytes each time."""
 
 import itertools
+import subprocess
+import sys
 from types import SimpleNamespace
 
+import matplotlib
 import numpy as np
 import pandas as pd
 import pytest
 from matplotlib.colors import to_hex, to_rgb
+from matplotlib.figure import Figure
 from matplotlib.text import Text
 
+from curvlib.comparison.quantities import QUANTITIES
+from curvlib.comparison.throughput import LIMITS
 from curvlib.figures import verdicts as verdicts_module
 from curvlib.figures.curves import error_plot, rank_plot
 from curvlib.figures.readings import specification_curve
 from curvlib.figures.rings import rings_plot
 from curvlib.figures.style import save
+from curvlib.figures.throughput import throughput_plot
 
 MODULES = {
     name: SimpleNamespace(LABEL=name.title(), STYLE={"color": "black", "marker": "o"})
@@ -80,6 +87,47 @@ def test_the_same_bytes_each_time(tables, tmp_path, kind):
         save(error_plot(*tables, "sphere", "K", MODULES), path)
         made.append(path.read_bytes())
     assert made[0] == made[1]
+
+
+def test_nobody_else_s_matplotlib_changes(tables, tmp_path):
+    """Neither an import of the figures nor what they draw leaves a setting behind."""
+    code = (
+        "import matplotlib; before = dict(matplotlib.rcParams)\n"
+        "import curvlib.figures.pictures, curvlib.figures.readings, curvlib.figures.throughput\n"
+        "print({k: v for k, v in matplotlib.rcParams.items() if v != before[k]})"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "{}"
+    before = dict(matplotlib.rcParams)
+    figure = error_plot(*tables, "sphere", "K", MODULES)
+    assert not figure.axes[0].spines["top"].get_visible()
+    assert not figure.axes[0].get_legend().get_frame_on()
+    save(figure, tmp_path / "a.svg")
+    assert dict(matplotlib.rcParams) == before
+
+
+def test_what_cannot_be_drawn_leaves_no_file(tmp_path):
+    figure = Figure()
+    figure.text(0.5, 0.5, r"$\nothing$")
+    with pytest.raises(ValueError, match="nothing"):
+        save(figure, tmp_path / "a.png")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_limits_of_throughput_are_dashed_and_grey():
+    methods = ["falling", *LIMITS, "peer"]
+    table = pd.DataFrame(
+        {"mesh": "regular", "method": m, "threads": 1, "vertices": n, "seconds": 1.0}
+        | {"vertices_per_second": n}
+        for m in methods
+        for n in (100, 1000)
+    )
+    (axes,) = throughput_plot(table, {"falling": MODULES["falling"]}).axes
+    drawn = {line.get_label(): line for line in axes.lines}
+    assert list(drawn) == ["Falling", *LIMITS, "peer"]
+    grey = {label for label, line in drawn.items() if line.get_color() == "0.5"}
+    assert grey == set(LIMITS)
+    assert len({drawn[limit].get_linestyle() for limit in LIMITS} - {"-"}) == len(LIMITS)
 
 
 def texts(axes):
@@ -202,7 +250,7 @@ def rings():
     """Errors on rings, and their orders: a third of the valence where they fall."""
     rows, slopes = [], []
     for (name, variant, _), n, ring, quantity in itertools.product(
-        VARIANTS, range(3, 10), ("regular", "irregular"), "KH"
+        VARIANTS, range(3, 10), ("regular", "irregular"), QUANTITIES
     ):
         order = n / 3 if name == "falling" and ring == "regular" else -0.001
         key = {"estimator": name, "variant": variant, "valence": n, "ring": ring}
@@ -236,7 +284,7 @@ def test_rings_plot_has_the_order_at_the_end_of_every_line(rings):
     assert min(contrast(line.get_color()) for line in figure.axes[0].lines) >= 3
 
 
-@pytest.mark.parametrize("quantity", "KH")
+@pytest.mark.parametrize("quantity", QUANTITIES)
 def test_rings_plot_says_what_its_error_is(rings, quantity):
     figure = rings_plot(*rings, VARIANTS, quantity)
     error = figure.texts[-1].get_text()

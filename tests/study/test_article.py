@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from curvlib.errors import InputError
-from curvlib.study.article import caption, excerpts, typeset
+from curvlib.study.article import EXCERPTS, caption, excerpts, typeset
 
 ROOT = Path(__file__).parents[2]
 ARTICLE = ROOT / "paper/paper.typ"
@@ -167,11 +167,6 @@ def test_captions_are_plain_sentences_without_numbers():
         assert not re.search(r"\d", allowed), path
 
 
-EXCERPTS = {
-    "errors": {"norm": ["mean"], "diagonal": ["same"]},
-    "ranks": {"diagonal": ["same"], "reading": ["default"]},
-    "claims": {"claim": ["1", "2"]},
-}
 TABLES = {
     "tables/errors.csv": """
 surface,diagonal,n,estimator,reading,quantity,norm,value
@@ -194,9 +189,9 @@ default,taubin,-""",
 valence,ring,quantity,estimator,variant,slope
 6,regular,K,taubin,-,-2.01""",
     "tables/claims-summary.csv": """
-claim,sentence,default,likely-run
-1,Always best.,2 (+3) of 7,4 of 7
-2,Never best.,5 of 7,7 of 7""",
+claim,sentence,of,default_true,default_undecided,default_stands,likely-run_true,likely-run_undecided
+1,Always best.,7,2,3,False,4,0
+2,Never best.,7,5,0,True,7,0""",
     "tables/claims.csv": """
 claim,surface,diagonal,reading,holds
 1,sphere,same,default,true

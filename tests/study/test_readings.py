@@ -64,28 +64,33 @@ def test_choices_are_those_of_the_study_alone(config):
 
 def test_rows_say_what_each_reading_means(config):
     study = Study(config)
-    rows = study.rows(study.all_readings())
+    rows = study.rows()
+    of_all = {"kind": "named", "counted": "interior", "more": True}
     assert rows[:2] == [
         {
             "reading": "default",
             "estimator": "gauss_bonnet",
             "variant": "area=third,dihedral=signed",
-            "counted": "interior",
-            "more": True,
+            **of_all,
         },
-        {
-            "reading": "default",
-            "estimator": "watanabe_b",
-            "variant": "normal=uniform",
-            "counted": "interior",
-            "more": True,
-        },
+        {"reading": "default", "estimator": "watanabe_b", "variant": "normal=uniform", **of_all},
     ]
-    assert rows[-1]["counted"] == "without-poles"
-    assert not rows[-1]["more"]
-    assert len(repr(rows)) < 40, "a job's parameter, shown in the report"
-    assert repr(rows) != repr(study.rows(study.readings))
-    assert repr(rows) == repr(study.rows(study.all_readings()))
+    kinds = {row["reading"]: row["kind"] for row in rows}
+    assert kinds["half"] == "named"
+    assert kinds["area=half"] == "single"
+    assert kinds["area=half,dihedral=signed"] == "product"
+    (without_poles,) = {
+        (row["counted"], row["more"]) for row in rows if row["reading"].startswith("vertices=")
+    }
+    assert without_poles == ("without-poles", False)
+
+
+def test_parameters_of_jobs_are_short_in_the_report(config):
+    rows = Study(config).rows()
+    assert len(repr(rows)) < 40
+    assert repr(rows) == repr(Study(config).rows())
+    assert repr(rows) != repr(Study(config | {"product": []}).rows())
+    assert len(repr(Study(config).products())) < 40
 
 
 @pytest.mark.parametrize("quantity", "KH")

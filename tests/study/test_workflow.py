@@ -7,6 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pandas as pd
 import pytest
 
 ROOT = Path(__file__).parents[2]
@@ -291,3 +292,69 @@ def test_archive_takes_the_place_of_the_meshes(study, monkeypatch):
     study.write("small.yaml", SMALL.replace("teapot_spout", "cone"))
     output = study("figures", "--config", f"library={downloaded}", ok=False)
     assert f"{downloaded}: unknown surface 'cone'; did you mean" in output
+
+
+NOTHING = """
+import numpy as np
+
+LABEL, STYLE = "Nothing", {"color": "#123456", "marker": "x"}
+
+
+def estimate(mesh):
+    nan = np.full(len(mesh.vertices), np.nan)
+    return nan, nan
+"""
+
+
+def decided_again(tables):
+    """The claims by the lines in results/README.md."""
+    (lines,) = re.findall("```python\n(.*?)```", (ROOT / "results/README.md").read_text(), re.S)
+    found = {}
+    exec(lines.replace("results/tables", str(tables)), found)
+    return found["claims"]
+
+
+def test_an_estimator_without_a_value(study):
+    """Tables count what it leaves undefined, figures leave it out, the claims are decided; and
+    decided again by the lines in results/README.md they are the same."""
+    (study.folder / "nothing.py").write_text(NOTHING)
+    small = SMALL.replace("gauss_bonnet, paraboloid", "gauss_bonnet, nothing.py")
+    (study.folder / "small.yaml").write_text(small)
+    study("figures", "--cores", "2")
+    (claims,) = (study.folder / "results").rglob("claims.csv")
+    errors = pd.read_csv(claims.with_name("errors.csv"))
+    nothing = errors[errors.estimator == "nothing"]
+    assert set(nothing.quantity) == {"K", "H"}
+    assert set(nothing.vertices) == {0}
+    assert nothing.undefined.min() > 0
+    assert nothing.value.isna().all()
+    other = errors[errors.estimator == "gauss_bonnet"]
+    key = ["surface", "diagonal", "n", "reading", "quantity", "norm"]
+    both = nothing.merge(other, on=key)
+    assert len(both) == len(nothing) == len(other)
+    assert (both.undefined_x == both.vertices_y + both.undefined_y).all()
+    ranks = pd.read_csv(claims.with_name("ranks.csv"))
+    assert set(ranks.estimator) == {"gauss_bonnet"}
+    decided = pd.read_csv(claims)
+    assert set(decided.holds) == {"undecided"}
+    assert decided.evidence.str.startswith("not in this study: ").all()
+
+    assert decided_again(claims.parent).to_csv(index=False) == claims.read_text()
+
+
+def test_claims_are_decided_again_from_the_tables(study):
+    """All nine, with products and single changes: byte for byte the rule's own."""
+    small = SMALL.replace("[gauss_bonnet, paraboloid]", "all").replace("8, 12", "8, 12, 16")
+    small = small.replace("vary: []", "vary: [area, vertices]")
+    small = small.replace("product: []", "product: [dihedral, pairs]")
+    (study.folder / "small.yaml").write_text(small)
+    study("claims", "--cores", "2")
+    (claims,) = (study.folder / "results").rglob("claims.csv")
+    decided = decided_again(claims.parent)
+    assert decided.to_csv(index=False) == claims.read_text()
+    assert {"true", "false"} <= set(decided.holds)
+    readings = pd.read_csv(claims.with_name("readings.csv"))
+    assert set(readings.kind) == {"named", "single", "product"}
+    assert set(readings.reading) == set(decided.reading)
+    tabulated = set(pd.read_csv(claims.with_name("errors.csv")).reading)
+    assert tabulated == set(readings.reading[readings.kind != "product"])

@@ -1,21 +1,25 @@
-# In: the errors of every estimator's variants. Out: the tables of errors, slopes and ranks of every
-# reading, and what a reading is.
+# In: the errors of every estimator's variants, and of its trials. Out: the tables: what a reading is,
+# errors and their curves by variant; errors, slopes and ranks of every reading; noise, and slopes on
+# shrinking rings.
 
 
 rule accuracy:
     input:
-        ERRORS,
+        errors=ERRORS,
+        noise=NOISE,
+        rings=RINGS,
     output:
+        **{
+            name: study.results / f"tables/{name}.csv"
+            for name in ("variants", "curves", "errors", "convergence", "ranks", "noise", "rings")
+        },
         readings=tabled("readings"),
-        errors=study.results / "tables/errors.csv",
-        convergence=study.results / "tables/convergence.csv",
-        ranks=study.results / "tables/ranks.csv",
     log:
         study.results / "logs/accuracy.log",
     conda:
         "../envs/curvlib.yaml"
     params:
-        readings=study.rows(study.all_readings()),
+        readings=study.rows(),
         full=FULL,
         code=code("accuracy"),
     script:

@@ -12,9 +12,10 @@ sys.path.insert(0, workflow.basedir)
 from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError
 from curvlib.dataset.library import mesh_files
+from curvlib.meshes.key import MeshKey
 from curvlib.study.digest import digest
 from curvlib.study.config import Study
-from curvlib.study.readings import error_figures, stem_of
+from curvlib.study.readings import PAPER_FIGURES, Rows, error_figures, stem_of
 
 # One thread per job: jobs run side by side, and sums come out the same on any machine.
 os.environ |= {
@@ -52,10 +53,15 @@ ESTIMATORS = {stem_of(name): name for name in study.estimators}
 MODULES = [*map(estimators.path, study.estimators), *map(surfaces.path, study.surfaces)]
 
 
-# How the study cuts each surface: all of it, and where all readings are run; and its meshes.
+# How the study cuts each surface; its meshes, and those on which all readings are run.
 CUTS = [(diagonal, n) for diagonal, n, _ in study.meshes()]
-FULL = [(diagonal, n) for diagonal, n, full in study.meshes() if full]
-MESHES = [(surface, *cut) for surface in SURFACES for cut in CUTS]
+MESHES = Rows(MeshKey(surface, *cut) for surface in SURFACES for cut in CUTS)
+FULL = Rows(
+    MeshKey(surface, diagonal, n)
+    for surface in SURFACES
+    for diagonal, n, full in study.meshes()
+    if full
+)
 
 # The library is an archive, from which the study is then made.
 ARCHIVED = study.library.suffix == ".zip"

@@ -5,7 +5,8 @@ NOISE = expand(study.results / "trials/noise-{estimator}.csv", estimator=ESTIMAT
 RINGS = expand(study.results / "trials/rings-{estimator}.csv", estimator=ESTIMATORS)
 
 # The cut that noise is put on: the first, at the resolution nearest to 16.
-NOISY = min(FULL, key=lambda cut: (cut[0] != study.diagonals[0], abs(cut[1] - 16)))
+NOISY = min(FULL, key=lambda mesh: (mesh.diagonal != study.diagonals[0], abs(mesh.n - 16)))
+NOISY = [MeshKey(surface, NOISY.diagonal, NOISY.n) for surface in SURFACES]
 
 
 rule estimate:
@@ -22,21 +23,16 @@ rule estimate:
         meshes=MESHES,
         estimator=lambda wildcards: ESTIMATORS[wildcards.estimator],
         variants=lambda wildcards: study.variants(ESTIMATORS[wildcards.estimator]),
-        more=lambda wildcards: study.more_variants(ESTIMATORS[wildcards.estimator]),
-        surfaces=SURFACES,
+        everywhere=lambda wildcards: study.more_variants(ESTIMATORS[wildcards.estimator]),
         full=FULL,
-        code=lambda wildcards: code(
-            "estimate",
-            estimators.path(ESTIMATORS[wildcards.estimator]),
-            *map(surfaces.path, study.surfaces),
-        ),
+        code=lambda wildcards: code("estimate", estimators.path(ESTIMATORS[wildcards.estimator])),
     script:
         "../scripts/estimate.py"
 
 
 rule trials:
     input:
-        library=files_of((surface, *NOISY) for surface in SURFACES),
+        library=files_of(NOISY),
     output:
         noise=study.results / "trials/noise-{estimator}.csv",
         rings=study.results / "trials/rings-{estimator}.csv",
@@ -47,7 +43,7 @@ rule trials:
     params:
         estimator=lambda wildcards: ESTIMATORS[wildcards.estimator],
         variants=lambda wildcards: study.variants(ESTIMATORS[wildcards.estimator]),
-        meshes=[(surface, *NOISY) for surface in SURFACES],
+        meshes=NOISY,
         code=lambda wildcards: code("trials", estimators.path(ESTIMATORS[wildcards.estimator])),
     script:
         "../scripts/trials.py"

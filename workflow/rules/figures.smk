@@ -2,9 +2,9 @@
 # Figures 3 to 6 among them, SVG and PNG; and what pictures.smk draws.
 from curvlib.claims.sentences import CLAIMS
 
-CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in "KH")]
-READING_FIGURES = [f"readings-claim-{number}" for number in range(1, len(CLAIMS) + 1)]
-ERROR_FIGURES = [figure for quantity in "KH" for figure in error_figures(study, quantity)]
+CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in PAPER_FIGURES)]
+READING_FIGURES = [f"readings-claim-{number}" for number in CLAIMS]
+ERROR_FIGURES = [figure for quantity in PAPER_FIGURES for figure in error_figures(study, quantity)]
 
 
 rule figures:
@@ -18,7 +18,7 @@ rule figures:
         rules.error_maps.output,
 
 
-for quantity in "KH":
+for quantity in PAPER_FIGURES:
 
     rule:
         name:
@@ -48,7 +48,7 @@ rule claim_plots:
         claims=rules.claims.output.claims,
         summary=rules.claims.output.summary,
         ranks=rules.accuracy.output.ranks,
-        slopes=rules.claims.output.rings,
+        slopes=rules.accuracy.output.rings,
         rings=RINGS,
     output:
         drawn(CLAIM_FIGURES, HOLDS),
@@ -57,6 +57,7 @@ rule claim_plots:
     conda:
         "../envs/curvlib.yaml"
     params:
+        quantities=list(PAPER_FIGURES),
         diagonal=study.diagonals[0],
         n=study.resolutions[-1],
         rings=study.ring_curves(),

@@ -1,18 +1,12 @@
 # In: tables, trials, figures with their captions, the article's source. Out: the article, whose
 # numbers are looked up in them while it is set. It is about the study of config.yaml; of another
 # one it can be asked for by name, and fails where that lacks what it quotes.
-from curvlib.claims.sentences import NINE, SEVEN
+from curvlib.claims.cell import NINE, SEVEN
 
 ARTICLE = Path(workflow.basedir, "paper/paper.typ")
 CAPTIONS = {
     figure: caption(figure)
     for figure in [*PICTURES, *ERROR_FIGURES, *CLAIM_FIGURES, *READING_FIGURES]
-}
-# Of long tables, what the article asks for.
-EXCERPTS = {
-    "errors": {"norm": ["mean"], "diagonal": ["same"]},
-    "ranks": {"diagonal": ["same"], "reading": ["default"]},
-    "claims": {"claim": ["1", "2"]},
 }
 
 
@@ -43,7 +37,6 @@ rule paper:
             "resolutions": study.resolutions,
             "cuts": list(dict.fromkeys(diagonal for diagonal, _ in CUTS)),
         },
-        excerpts=EXCERPTS,
         code=code("paper", *MODULES),
     script:
         "../scripts/paper.py"

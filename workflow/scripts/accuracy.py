@@ -1,4 +1,4 @@
-"""Errors, convergence and ranks of every reading, from the errors of every variant."""
+"""Tables of errors, convergence and ranks, by variant and by reading; of noise and of rings."""
 
 import pandas as pd
 
@@ -6,12 +6,21 @@ from curvlib.comparison import accuracy
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
-    params, output = snakemake.params, snakemake.output
+    inputs, params, output = snakemake.input, snakemake.params, snakemake.output
     readings = pd.DataFrame(params.readings)
-    rows = accuracy.by_variant(map(pd.read_csv, snakemake.input), set(map(tuple, params.full)))
-    errors = accuracy.errors(rows, readings)
-    readings.to_csv(output.readings, index=False)
-    errors.to_csv(output.errors, index=False)
-    accuracy.by_reading(rows, readings).to_csv(output.convergence, index=False)
-    levels = accuracy.rounding_levels(rows)
-    accuracy.ranks(errors, levels).to_csv(output.ranks, index=False)
+    rows = accuracy.by_variant(map(pd.read_csv, inputs.errors), readings, params.full)
+    curves = accuracy.curves(rows, readings)
+    tabulated = readings[readings.kind != "product"]
+    errors = accuracy.errors(rows, tabulated)
+    tables = {
+        "readings": readings,
+        "variants": rows,
+        "curves": curves,
+        "errors": errors,
+        "convergence": accuracy.convergence(curves, tabulated),
+        "ranks": accuracy.ranks(errors, rows),
+        "noise": accuracy.concat(map(pd.read_csv, inputs.noise)),
+        "rings": accuracy.ring_slopes(accuracy.concat(map(pd.read_csv, inputs.rings))),
+    }
+    for name, table in tables.items():
+        table.to_csv(output[name], index=False)

@@ -15,6 +15,6 @@ with logged(snakemake.log[0]):
     values = {name: read_values(f, [key])[key] for name, f in zip(params.estimators, inputs.values)}
     modules = estimators.modules(params.estimators)
     surface = surfaces.module(params.surface)
-    for quantity in "KH":
+    for quantity in params.quantities:
         drawn = pictures.error_map(mesh, values, quantity, surface, modules, draw)
         save(drawn, snakemake.output[quantity])

@@ -14,6 +14,6 @@ with logged(snakemake.log[0]):
         labels={name: module.LABEL for name, module in modules.items()},
         captions={figure: article.caption(file) for figure, file in params.captions.items()},
         citation=snakemake.input.citation,
-        excerpts=article.excerpts(f"{params.results}/tables", params.excerpts),
+        excerpts=article.excerpts(f"{params.results}/tables", article.EXCERPTS),
         **params.quoted,
     )

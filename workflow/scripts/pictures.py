@@ -16,5 +16,5 @@ with logged(snakemake.log[0]):
     save(pictures.surface_plate(paper, params.numbers, modules, draw), output.surfaces)
     tessellations = library.only(params.tessellations)
     save(pictures.tessellation_plate(tessellations, modules, draw), output.tessellations)
-    for quantity in "KH":
+    for quantity in params.quantities:
         save(pictures.curvature_map(meshes, quantity, modules, draw), output[quantity])

@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from curvlib.claims.sentences import chosen
+from curvlib.claims.cell import chosen
 from curvlib.figures.readings import specification_curve
 from curvlib.figures.style import save
 from curvlib.study.job import logged

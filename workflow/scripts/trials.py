@@ -1,7 +1,7 @@
 """Put one estimator, in all its variants, through noise and shrinking rings."""
 
 from curvlib.comparison.run import write_rows
-from curvlib.comparison.trials import noise_rows, ring_rows
+from curvlib.comparison.trials import NOISE_COLUMNS, RING_COLUMNS, noise_rows, ring_rows
 from curvlib.dataset.library import load_library
 from curvlib.study.job import logged
 
@@ -9,10 +9,10 @@ with logged(snakemake.log[0]):
     params, name = snakemake.params, {"estimator": snakemake.wildcards.estimator}
     meshes = load_library(*snakemake.input.library).only(params.meshes)
     noise = (
-        {"surface": surface, **name, **row}
-        for (surface, *_), mesh in meshes.items()
+        {"surface": key.surface, **name, **row}
+        for key, mesh in meshes.items()
         for row in noise_rows(mesh, params.estimator, params.variants)
     )
-    write_rows(snakemake.output.noise, noise)
+    write_rows(snakemake.output.noise, ("surface", "estimator", *NOISE_COLUMNS), noise)
     rings = ({**name, **row} for row in ring_rows(params.estimator, params.variants))
-    write_rows(snakemake.output.rings, rings)
+    write_rows(snakemake.output.rings, ("estimator", *RING_COLUMNS), rings)
