@@ -16,6 +16,9 @@ from .parallel import for_each
 
 # Ring slots (valence times vertices) per block: some dozens of arrays of 192 KiB.
 BLOCK = 24576
+OURS = f"{estimators.package}."
+# Of the length that a quantity is divided by.
+POWERS = {"K": 2, "H": 1, "k1": 1, "k2": 1, "d1": 0, "d2": 0}
 
 # What an estimator can be given: the name of its first parameter.
 GIVEN = ("ring", "mesh")
@@ -107,7 +110,7 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     >>> curvlib.estimate(tetrahedron, "gauss_bonnet").K.round(4)
     array([0.9069, 0.9069, 0.9069, 0.9069])
     """
-    from .kit.ring import around
+    from .kit.ring import gather
 
     _keep_pages()
     mesh = as_mesh(mesh)
@@ -124,20 +127,23 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         task = (found[each], function, chosen)
         (of_mesh if takes_mesh(function) else of_ring).append(task)
 
-    def store(given, at, start, end, tasks):
+    def store(given, at, start, end, tasks, unit):
         # Set here, since threads do not take it over from their caller.
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             for target, function, chosen in tasks:
-                target.scatter(function(given, **chosen), at, start, end)
+                # Estimators from elsewhere get a copy: what they write, no other estimator sees.
+                shared = given is mesh or function.__module__.startswith(OURS)
+                own = given if shared else type(given)(*map(np.copy, given))
+                target.scatter(function(own, **chosen), at, start, end, unit)
 
     def work(block):
         (at, neighbours), start, end = block
-        ring = around(mesh.vertices, normals, at, neighbours, start, end)
-        store(ring, at, start, end, of_ring)
+        ring = gather(mesh.vertices, normals, at, neighbours, start, end, mesh.unit)
+        store(ring, at, start, end, of_ring, mesh.unit)
 
     if of_mesh:
         every = np.arange(len(mesh.vertices), dtype=np.int32)
-        store(mesh, every, 0, len(every), of_mesh)
+        store(mesh, every, 0, len(every), of_mesh, 1.0)
     if of_ring:
         normals = mesh.normals
         if normals is None:
@@ -156,14 +162,14 @@ class _Found:
     def __init__(self, name, count):
         self.name, self.count, self.arrays, self._lock = name, count, {}, threading.Lock()
 
-    def scatter(self, returned, at, start, end):
-        """Write what was returned for the vertices at[start:end]."""
-        from .kit.ring import spread
+    def scatter(self, returned, at, start, end, unit):
+        """Write what was returned for the vertices at[start:end], lengths multiplied by `unit`."""
+        from .kit.ring import scatter
 
         for name, values in self._checked(returned, end - start).items():
             target = self._target(name, values.ndim)
             for component, column in zip(np.atleast_2d(values), np.atleast_2d(target.T)):
-                spread(component, at, start, column)
+                scatter(component, at, start, column, unit, POWERS[name])
 
     def _target(self, name, dimensions):
         with self._lock:  # the first block of any thread makes it
@@ -207,7 +213,8 @@ def _blocks(rings):
     """Yield (batch, start, end): batches of one-rings, BLOCK slots at a time."""
     for batch in rings:
         vertices, neighbours = batch
-        step = max(1, BLOCK // len(neighbours))
+        # An odd multiple of a cache line, so that rows of arrays do not share a cache set.
+        step = BLOCK // len(neighbours) // 16 * 16 + 8
         for start in range(0, len(vertices), step):
             yield batch, start, min(start + step, len(vertices))
 

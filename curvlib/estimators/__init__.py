@@ -11,7 +11,8 @@ The name of the first parameter says what it is given: `ring`, a batch of m clos
 one valence (curvlib.kit.ring); `mesh`, the whole curvlib.Mesh. The keyword options are its
 readings, their Literal the valid values. It returns K and H, or the six fields of
 curvlib.kit.tensor.Curvatures: arrays (m,), directions (3, m), pointwise; (V,) and (3, V) where it
-is given the mesh; None for what it does not estimate. Arrays that it is given are read only.
+is given the mesh; None for what it does not estimate. It must not
+write to the arrays that it is given: a file from elsewhere gets its own copy of a ring.
 
 Compiled code runs fast and on several threads; without the decorator it is NumPy on the same
 arrays. Imports are absolute, so that a copy of a file works outside the package too. An estimator

@@ -9,6 +9,7 @@ from curvlib.kit.compiled import compiled
 from curvlib.kit.ring import beta, following, mixed_area, total, total_angle, weighted_total
 
 LABEL = "Gauss-Bonnet"
+SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#0072B2", "marker": "s", "linestyle": "-"}
 
 

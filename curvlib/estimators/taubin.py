@@ -5,11 +5,13 @@ from typing import Literal
 import numpy as np
 
 from curvlib.kit.compiled import compiled
-from curvlib.kit.ring import Normal, canonical, kn, total, unit_normal, with_preceding
+from curvlib.kit.frame import Normal, canonical, kn, unit_normal
+from curvlib.kit.ring import total, with_preceding
 
 Principal = Literal["corrected", "as-printed"]
 
 LABEL = "Taubin"
+SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#CC79A7", "marker": "D", "linestyle": "-"}
 
 

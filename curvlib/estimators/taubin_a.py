@@ -4,9 +4,11 @@ from typing import Literal
 
 from curvlib.estimators.taubin import Principal, from_tensor
 from curvlib.kit.compiled import compiled
-from curvlib.kit.ring import Normal, alpha, canonical, kn, unit_normal, with_preceding
+from curvlib.kit.frame import Normal, canonical, kn, unit_normal
+from curvlib.kit.ring import alpha, with_preceding
 
 LABEL = "Taubin A"
+SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#CC79A7", "marker": "P", "linestyle": "--", "markerfacecolor": "white"}
 ONE_SIDED = "w_i is the angle to the next neighbour; angles='centred' takes both sides"
 

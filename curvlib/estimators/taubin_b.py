@@ -4,9 +4,11 @@ from typing import Literal
 
 from curvlib.estimators.taubin import Principal, from_tensor
 from curvlib.kit.compiled import compiled
-from curvlib.kit.ring import Normal, alpha, canonical, following, kn, unit_normal, with_preceding
+from curvlib.kit.frame import Normal, canonical, kn, unit_normal
+from curvlib.kit.ring import alpha, following, with_preceding
 
 LABEL = "Taubin B"
+SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#CC79A7", "marker": "X", "linestyle": ":", "markerfacecolor": "white"}
 ONE_SIDED = "kn_i is averaged with that of the next neighbour"
 

@@ -6,9 +6,11 @@ from typing import Literal
 import numpy as np
 
 from curvlib.kit.compiled import compiled
-from curvlib.kit.ring import Normal, alpha, canonical, kn, unit_normal
+from curvlib.kit.frame import Normal, canonical, kn, unit_normal
+from curvlib.kit.ring import alpha
 
 LABEL = "Watanabe-Belyaev"
+SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#009E73", "marker": "^", "linestyle": "-"}
 
 

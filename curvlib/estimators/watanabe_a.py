@@ -2,9 +2,10 @@
 
 from curvlib.estimators import watanabe
 from curvlib.kit.compiled import compiled
-from curvlib.kit.ring import Normal
+from curvlib.kit.frame import Normal
 
 LABEL = "Watanabe A"
+SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#009E73", "marker": "<", "linestyle": "--", "markerfacecolor": "white"}
 
 

@@ -1,11 +1,10 @@
 """Watanabe B, section 3.6: the extreme normal curvatures are the principal ones."""
 
-import numpy as np
-
 from curvlib.kit.compiled import compiled
-from curvlib.kit.ring import Normal, kn, unit_normal
+from curvlib.kit.frame import Normal, kn, unit_normal
 
 LABEL = "Watanabe B"
+SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#009E73", "marker": ">", "linestyle": ":", "markerfacecolor": "white"}
 
 
@@ -15,5 +14,6 @@ def estimate(ring, normal: Normal = "uniform"):
     curvature = kn(ring, unit_normal(ring, normal))
     k1, k2 = curvature[0].copy(), curvature[0].copy()
     for i in range(1, len(curvature)):
-        k1, k2 = np.maximum(k1, curvature[i]), np.minimum(k2, curvature[i])
+        for k in range(len(k1)):
+            k1[k], k2[k] = max(k1[k], curvature[i, k]), min(k2[k], curvature[i, k])
     return k1 * k2, (k1 + k2) / 2

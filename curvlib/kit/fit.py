@@ -1,7 +1,8 @@
 """Linear least squares with three unknowns, for batches of small systems.
 
-Modified Gram-Schmidt with the right-hand side as a fourth column: as stable as Householder's
-QR, and the condition number is not squared as by normal equations.
+R of a QR decomposition is kept as sqrt(D) U, with D (3, m) diagonal and U (3, 4, m) of unit
+diagonal, whose fourth column is the right-hand side. Modified Gram-Schmidt is as stable with that
+as Householder's reflections, and the condition number is not squared as by normal equations.
 """
 
 import math
@@ -10,53 +11,130 @@ import numpy as np
 
 from .compiled import compiled
 
-# A singular value below this fraction of the largest one counts as zero.
-CUTOFF = 1e-6
+# Singular values below this fraction of the largest count as zero in a fit to the neighbours of a
+# vertex. The rounding of float32 files and of printed decimals makes up to 1e-4 of a direction
+# that no neighbour determines; 1e-2 changes errors on smooth meshes.
+CUTOFF = 1e-3
 SWEEPS = 8  # convergence is quadratic: of three columns, five leave rounding alone
 
 
 @compiled
-def least_squares(columns):
+def least_squares(columns, cutoff):
     """Minimum-norm x (3, m) that minimises |c_0 x_0 + c_1 x_1 + c_2 x_2 - c_3|.
 
-    `columns`: c_0 to c_3, (4, rows, m), one system per entry of the last axis; overwritten.
-    Singular values are cut off relative to the largest, at CUTOFF, so that a direction which
-    the rows leave undetermined contributes nothing. Not-a-number in gives not-a-number out.
+    NaN in a system makes its solution NaN.
+
+    Parameters
+    ----------
+    columns : (4, rows, m)
+        c_0 to c_3, one system per entry of the last axis; overwritten.
+    cutoff : float
+        Singular values below this fraction of the largest count as zero, so that a direction
+        which the rows leave undetermined contributes nothing.
     """
-    _, rows, m = columns.shape
-    # R is the square root of D times U, whose diagonal is one: no column has to be scaled.
-    D, U = np.zeros((3, m)), np.zeros((3, 4, m))
-    for i in range(3):
-        for row in range(rows):
-            for k in range(m):
-                D[i, k] += columns[i, row, k] * columns[i, row, k]
-        for j in range(i + 1, 4):
-            for row in range(rows):
-                for k in range(m):
-                    U[i, j, k] += columns[i, row, k] * columns[j, row, k]
-            for k in range(m):
-                U[i, j, k] /= D[i, k] if D[i, k] != 0 else 1.0
-            for row in range(rows):
-                for k in range(m):
-                    columns[j, row, k] -= U[i, j, k] * columns[i, row, k]
-    x = np.empty((3, m))
-    for k in range(m):
-        x[2, k] = U[2, 3, k]
-        x[1, k] = U[1, 3, k] - U[1, 2, k] * x[2, k]
-        x[0, k] = U[0, 3, k] - U[0, 1, k] * x[1, k] - U[0, 2, k] * x[2, k]
-    for k in range(m):
-        # |det R| / |R|^3 bounds the smallest singular value over the largest from below: only
-        # where that bound is too weak do singular values have to be looked at.
-        squares = D[0, k] * (1 + U[0, 1, k] ** 2 + U[0, 2, k] ** 2)
-        squares += D[1, k] * (1 + U[1, 2, k] ** 2) + D[2, k]
-        bound = D[0, k] / squares * (D[1, k] / squares) * (D[2, k] / squares)
-        if not bound > CUTOFF**2:
-            _truncated(D, U, k, x)
+    D, U = _factors(columns)
+    x = _back_substituted(D, U)
+    for k in _weak(D, U, cutoff):
+        _truncated(D, U, k, x, cutoff)
     return x
 
 
 @compiled
-def _truncated(D, U, k, x):
+def regression(columns, cutoff):
+    """The solution x (3, m) as by `least_squares` without a cut-off, and the indices of the systems
+    that may have a singular value below `cutoff` times the largest."""
+    D, U = _factors(columns)
+    return _back_substituted(D, U), _weak(D, U, cutoff)
+
+
+@compiled
+def fold(columns):
+    """Replace each system of columns (4, rows, m) by three rows, at the beginning, that have the
+    same least-squares solution, and zeros."""
+    D, U = _factors(columns)
+    columns[:] = 0
+    for i in range(3):
+        for k in range(len(D[i])):
+            scale = np.sqrt(D[i, k])
+            columns[i, i, k] = scale
+            for j in range(i + 1, 4):
+                columns[j, i, k] = scale * U[i, j, k]
+
+
+@compiled
+def _factors(columns):
+    """D and U of columns (4, rows, m), which are overwritten."""
+    _, rows, m = columns.shape
+    D, U = np.zeros((3, m)), np.zeros((3, 4, m))
+    # Products with a column are summed while the columns before it are taken out.
+    for row in range(rows):
+        for k in range(m):
+            a, b, c, z = (
+                columns[0, row, k],
+                columns[1, row, k],
+                columns[2, row, k],
+                columns[3, row, k],
+            )
+            D[0, k] += a * a
+            U[0, 1, k] += a * b
+            U[0, 2, k] += a * c
+            U[0, 3, k] += a * z
+    _divide(U[0, 1:], D[0])
+    for row in range(rows):
+        for k in range(m):
+            a = columns[0, row, k]
+            b = columns[1, row, k] - U[0, 1, k] * a
+            c = columns[2, row, k] - U[0, 2, k] * a
+            z = columns[3, row, k] - U[0, 3, k] * a
+            columns[1, row, k], columns[2, row, k], columns[3, row, k] = b, c, z
+            D[1, k] += b * b
+            U[1, 2, k] += b * c
+            U[1, 3, k] += b * z
+    _divide(U[1, 2:], D[1])
+    for row in range(rows):
+        for k in range(m):
+            b = columns[1, row, k]
+            c = columns[2, row, k] - U[1, 2, k] * b
+            z = columns[3, row, k] - U[1, 3, k] * b
+            D[2, k] += c * c
+            U[2, 3, k] += c * z
+    _divide(U[2, 3:], D[2])
+    return D, U
+
+
+@compiled
+def _back_substituted(D, U):
+    x = np.empty_like(D)
+    for k in range(x.shape[1]):
+        x[2, k] = U[2, 3, k]
+        x[1, k] = U[1, 3, k] - U[1, 2, k] * x[2, k]
+        x[0, k] = U[0, 3, k] - U[0, 1, k] * x[1, k] - U[0, 2, k] * x[2, k]
+    return x
+
+
+@compiled
+def _weak(D, U, cutoff):
+    """The systems that |det R| / |R|^3, a lower bound of the smallest singular value over the
+    largest, does not show to be above the cut-off."""
+    weak = np.empty(D.shape[1], np.bool_)
+    for k in range(len(weak)):
+        squares = D[0, k] * (1 + U[0, 1, k] ** 2 + U[0, 2, k] ** 2)
+        squares += D[1, k] * (1 + U[1, 2, k] ** 2) + D[2, k]
+        bound = D[0, k] / squares * (D[1, k] / squares) * (D[2, k] / squares)
+        weak[k] = not bound > cutoff**2
+    return np.flatnonzero(weak)
+
+
+@compiled
+def _divide(products, squares):
+    """Divide products (j, m) with a column by its square (m,)."""
+    for j in range(len(products)):
+        for k in range(len(squares)):
+            products[j, k] /= squares[k] if squares[k] != 0 else 1.0
+
+
+@compiled
+def _truncated(D, U, k, x, cutoff):
     """Sets x[:, k] from the singular values of R above the cut-off.
 
     Rotations of pairs of columns make R V orthogonal (one-sided Jacobi: Hestenes 1958), and its
@@ -94,7 +172,7 @@ def _truncated(D, U, k, x):
     largest = max(squares[0], squares[1], squares[2])
     x[:, k] = 0
     for j in range(3):
-        # Below the cut-off: times zero, which leaves what is not a number as it is.
-        inverse = 1 / squares[j] if squares[j] > CUTOFF**2 * largest else 0.0
+        # Times zero below the cut-off, which keeps NaN.
+        inverse = 1 / squares[j] if squares[j] > cutoff**2 * largest else 0.0
         for i in range(3):
             x[i, k] += V[i, j] * (projections[j] * inverse)

@@ -1,81 +1,170 @@
-"""The one-ring of a vertex in the paper's letters: named quantities, as compiled functions.
+"""One-rings of vertices in the letters of the 2003 paper, and their quantities, compiled.
 
 A Ring is a batch of m one-rings of equal valence n. Arrays are component first, (3, n, m), and
-the loop over the m rings is the inner one: it runs over contiguous memory, which the compiler
-turns into vector instructions. The ring of v is v_0 ... v_{n-1}, counter-clockwise seen from the
-side the normal points to; indices are taken mod n. Lengths are in the unit of the mesh, angles
-in radians. A degenerate triangle gives NaN.
+the inner loop runs over the m rings, contiguous in memory, so that the compiler vectorises it.
+The ring of v is v_0 ... v_{n-1}, counter-clockwise seen from the side the normal points to;
+indices are taken mod n. Angles are in radians, lengths in the unit of the mesh (see `unit`).
+Functions read a ring and never write to it.
 """
 
 import math
 from collections import namedtuple
-from typing import Literal
 
 import numpy as np
 
-from curvlib.errors import InputError
-
 from .compiled import compiled
-from .vectors import add, angle, at, cross, divide, dot, norm
+from .vectors import at, cross, dot
 
-Normal = Literal["uniform", "area", "exact"]
+# A triangle lower than this fraction of its sides is degenerate: float64 leaves its normal four
+# digits at most.
+FLAT = 1e-12
+# Likewise one lower than this fraction of |v|: 16 rounding errors of a coordinate, which shift the
+# height by a tenth of itself. A triangle with an edge as short is as low.
+ROUNDING = 2.0**-49
+# A fold within this angle of pi, in radians, is a sheet without thickness: rounding decides
+# which side is the outer one, also of edges 1e6 times shorter than the coordinates are large.
+SHEET = 1e-9
+# The coordinates of float32 files need no scaling: fifth powers of lengths stay within float64.
+RANGE = 2.0**128
+SMALLEST = np.finfo(float).tiny
 
 Ring = namedtuple("Ring", "e exact_normals squares lengths facets areas dots")
 Ring.__doc__ = """m one-rings of valence n.
 
-`e` (3, n, m): the edge vectors e_i = v_i - v. `exact_normals` (3, m): unit normals of the
-surface, or (3, 0) where the mesh has none. `squares` (n, m): |e_i|^2. `lengths` (n, m): |e_i|.
-`facets` (3, n, m): e_i x e_{i+1}, along the normal of T_i = (v_i, v, v_{i+1}) and twice its area
-long. `areas` (n, m): the area of T_i (3.1). `dots` (n, m): e_i . e_{i+1}.
+A ring with a degenerate triangle is NaN in every field but `exact_normals`, and so is each value
+made of it. Degenerate is a triangle of which rounding decides the shape: twice its area is at
+most s sqrt((FLAT s)^2 + (ROUNDING |v|)^2), s^2 being the sum of its squared sides.
+
+Attributes
+----------
+e : (3, n, m)
+    Edge vectors e_i = v_i - v.
+exact_normals : (3, m)
+    Unit normals of the surface; (3, 0) where the mesh has none.
+squares : (n, m)
+    |e_i|^2.
+lengths : (n, m)
+    |e_i|.
+facets : (3, n, m)
+    e_i x e_{i+1}, along the normal of T_i = (v_i, v, v_{i+1}) and as long as twice its area.
+areas : (n, m)
+    The area of T_i (3.1).
+dots : (n, m)
+    e_i . e_{i+1}.
 """
+
+
+def unit(vertices) -> float:
+    """The power of two that coordinates are multiplied by, so that no product of lengths
+    overflows or underflows: exact, and 1 where the largest lies between 3e-39 and 3e38.
+
+    Parameters
+    ----------
+    vertices : (V, 3)
+        Coordinates of the mesh, finite.
+    """
+    largest = max(vertices.max(), -vertices.min()) if len(vertices) else 0.0
+    if largest == 0 or 1 / RANGE <= largest <= RANGE:
+        return 1.0
+    # Halved, since the inverse of the smallest float64 numbers is none.
+    return math.ldexp(1.0, min(-math.frexp(largest)[1], 1023))
 
 
 @compiled
 def one_ring(e, exact_normals):
-    """The Ring of edge vectors (3, n, m) and normals (3, m) or (3, 0)."""
+    """The Ring of edge vectors.
+
+    Parameters
+    ----------
+    e : (3, n, m)
+        Edge vectors, counter-clockwise; copied.
+    exact_normals : (3, m) or (3, 0)
+        Unit normals of the surface, where they are known.
+    """
+    return _ring(e.copy(), exact_normals, np.zeros(e.shape[2]))
+
+
+@compiled
+def _ring(e, exact_normals, floors):
+    """`one_ring` of edges that become the ring's own; floors (m,): the square of the height up to
+    which rounding decides the shape of a triangle."""
     _, n, m = e.shape
     squares, lengths, areas, dots = np.empty((4, n, m))
     facets = np.empty((3, n, m))
+    degenerate = 0
     for i in range(n):
         j = (i + 1) % n
         for k in range(m):
             a, b = at(e, i, k), at(e, j, k)
             c = cross(a, b)
             facets[0, i, k], facets[1, i, k], facets[2, i, k] = c
-            squares[i, k] = dot(a, a)
-            lengths[i, k] = norm(a)
-            areas[i, k] = norm(c) / 2
-            dots[i, k] = dot(a, b)
+            aa, ab, cc = dot(a, a), dot(a, b), dot(c, c)
+            squares[i, k], lengths[i, k], dots[i, k] = aa, np.sqrt(aa), ab
+            sides = 2 * (aa + dot(b, b) - ab)
+            proper = cc > sides * (FLAT**2 * sides + floors[k])
+            areas[i, k] = np.sqrt(cc) / 2 if proper else np.nan
+            degenerate += 0 if proper else 1
+    if degenerate > 0:
+        for k in range(m):
+            if not math.isfinite(areas[:, k].sum()):
+                e[:, :, k] = facets[:, :, k] = np.nan
+                squares[:, k] = lengths[:, k] = areas[:, k] = dots[:, k] = np.nan
     return Ring(e, exact_normals, squares, lengths, facets, areas, dots)
 
 
 @compiled
-def around(vertices, normals, centres, neighbours, start, end):
-    """The Ring of the vertices centres[start:end], whose neighbours are neighbours[:, start:end].
+def gather(vertices, normals, centres, neighbours, start, end, unit):
+    """The Ring of the vertices centres[start:end].
 
-    `vertices` (V, 3), their `normals` (V, 3) or (0, 3) where the mesh has none.
+    Parameters
+    ----------
+    vertices : (V, 3)
+    normals : (V, 3) or (0, 3)
+        Unit normals of the surface at the vertices, where the mesh has them.
+    centres : (M,) int32
+        Vertices v of one valence n.
+    neighbours : (n, M) int32
+        v_0 ... v_{n-1} of each of them.
+    start, end : int
+        Which of the M.
+    unit : float
+        `unit(vertices)`: lengths of the Ring are multiplied by it.
     """
     n, m = len(neighbours), end - start
-    e = np.empty((3, n, m))
+    e, v, floors = np.empty((3, n, m)), np.empty((3, m)), np.empty(m)
+    for k in range(m):
+        # Unsigned: no test for negative indices.
+        row = np.uint64(centres[start + k])
+        v[0, k], v[1, k], v[2, k] = vertices[row, 0], vertices[row, 1], vertices[row, 2]
     for i in range(n):
         for k in range(m):
-            # Without a sign: no look for a negative index.
-            v, v_i = np.uint64(centres[start + k]), np.uint64(neighbours[i, start + k])
+            row = np.uint64(neighbours[i, start + k])
             for c in range(3):
-                e[c, i, k] = vertices[v_i, c] - vertices[v, c]
+                e[c, i, k] = (vertices[row, c] - v[c, k]) * unit
+    for k in range(m):
+        x, y, z = v[0, k] * unit, v[1, k] * unit, v[2, k] * unit
+        floors[k] = ROUNDING**2 * (x * x + y * y + z * z)
     exact_normals = np.empty((3, m if len(normals) else 0))
     for k in range(exact_normals.shape[1]):
         for c in range(3):
             exact_normals[c, k] = normals[centres[start + k], c]
-    return one_ring(e, exact_normals)
+    return _ring(e, exact_normals, floors)
 
 
 @compiled
-def spread(values, centres, start, target):
-    """Write values (m,) to target[centres[start:start + m]]: the one place where what is undefined,
-    infinite or not a number, becomes NaN."""
+def scatter(values, centres, start, target, unit, power):
+    """Set target[centres[start:start + m]] to values (m,), turned into the unit of the mesh.
+
+    The only place that makes NaN of undefined values: infinite ones, and those that are no normal
+    float64 numbers in the unit of the mesh. `power`: of the length that values are divided by,
+    two for K and one for H.
+    """
     for k in range(len(values)):
-        target[centres[start + k]] = values[k] if math.isfinite(values[k]) else math.nan
+        value = values[k]
+        for _ in range(power):
+            value *= unit
+        lost = abs(value) < SMALLEST and values[k] != 0
+        target[centres[start + k]] = value if math.isfinite(value) and not lost else math.nan
 
 
 @compiled
@@ -152,17 +241,23 @@ def total_angle(ring):
 
 @compiled
 def beta(ring):
-    """Signed dihedral angle at e_i, between N_{i-1} and N_i, (n, m): convex positive.
-
-    (e_{i-1} x e_i) x (e_i x e_{i+1}) is e_i times the determinant of the three.
-    """
-    n, m = ring.lengths.shape
-    out = np.empty((n, m))
+    """Signed dihedral angle at e_i, between N_{i-1} and N_i, (n, m): convex positive, and NaN
+    where it is +-pi to SHEET, since a sheet without thickness has no outer side."""
+    e, lengths, facets = ring.e, ring.lengths, ring.facets
+    n, m = lengths.shape
+    tangent, turn, out = np.empty(m), np.empty(m), np.empty((n, m))
     for i in range(n):
         for k in range(m):
-            before, facet = at(ring.facets, i - 1, k), at(ring.facets, i, k)
-            determinant = dot(before, at(ring.e, (i + 1) % n, k))
-            out[i, k] = angle(dot(before, facet), -ring.lengths[i, k] * determinant)
+            before, facet = at(facets, i - 1, k), at(facets, i, k)
+            # Not |e_i| times the determinant of three edges, which cancels between slivers.
+            sine = -dot(at(e, i, k), cross(before, facet))
+            cosine = lengths[i, k] * dot(before, facet)
+            tangent[k] = sine / cosine
+            turn[k] = math.copysign(math.pi, sine) if cosine < 0 else 0.0
+        # Apart from the rest, which is vectorised.
+        for k in range(m):
+            angle = math.atan(tangent[k]) + turn[k]
+            out[i, k] = angle if abs(angle) < math.pi - SHEET else np.nan
     return out
 
 
@@ -183,75 +278,3 @@ def mixed_area(ring):
             else:
                 out[k] += ring.areas[i, k] / (2 if at_v < 0 else 4)
     return out
-
-
-@compiled
-def unit_normal(ring, kind):
-    """N_v, (3, m) unit: mean of the facet normals (3.3), plain or by area, or the exact one.
-
-    InputError for "exact" where the mesh has no normals.
-    """
-    n, m = ring.areas.shape
-    if kind == "exact":
-        if ring.exact_normals.shape[1] != m:
-            raise InputError("normal='exact' needs a mesh with normals; this one has none")
-        return ring.exact_normals
-    N = np.zeros((3, m))
-    by_area = kind == "area"
-    for i in range(n):
-        for k in range(m):
-            weight = 1.0 if by_area else 1 / ring.areas[i, k]
-            N[0, k], N[1, k], N[2, k] = add(at(N, k), weight, at(ring.facets, i, k))
-    for k in range(m):
-        N[0, k], N[1, k], N[2, k] = divide(at(N, k), norm(at(N, k)))
-    return N
-
-
-@compiled
-def canonical(ring, N):
-    """x, y, z of the canonical form, (3, n, m): the neighbours with v at the origin and -N_v
-    along the z axis.
-
-    The paper's form, turned over: z is the depth below the tangent plane, so that a surface
-    which bends away from its normal has positive curvature. (x, y) is along T_i of (3.23), and
-    not of length one.
-    """
-    _, n, m = ring.e.shape
-    X, Y = _tangents(N)
-    out = np.empty((3, n, m))
-    for i in range(n):
-        for k in range(m):
-            e = at(ring.e, i, k)
-            out[0, i, k] = dot(e, at(X, k))
-            out[1, i, k] = dot(e, at(Y, k))
-            out[2, i, k] = -dot(e, at(N, k))
-    return out
-
-
-@compiled
-def kn(ring, N):
-    """Normal curvature towards each v_i (3.16), (n, m); positive where the surface bends away
-    from its normal."""
-    n, m = ring.squares.shape
-    out = np.empty((n, m))
-    for i in range(n):
-        for k in range(m):
-            out[i, k] = -2 * dot(at(ring.e, i, k), at(N, k)) / ring.squares[i, k]
-    return out
-
-
-@compiled
-def _tangents(N):
-    """Two unit vectors (3, m) each that with N (3, m) make a right-handed frame.
-
-    Duff et al. 2017, Building an orthonormal basis, revisited (JCGT 6, 1).
-    """
-    X, Y = np.empty_like(N), np.empty_like(N)
-    for k in range(N.shape[1]):
-        x, y, z = at(N, k)
-        sign = math.copysign(1.0, z)
-        a = -1 / (sign + z)
-        b = x * y * a
-        X[0, k], X[1, k], X[2, k] = 1 + sign * x * x * a, sign * b, -sign * x
-        Y[0, k], Y[1, k], Y[2, k] = b, sign + y * y * a, -y
-    return X, Y

@@ -1,7 +1,5 @@
 """Vectors as triples of numbers, in compiled loops."""
 
-import math
-
 import numpy as np
 
 from .compiled import compiled
@@ -47,11 +45,3 @@ def cross(a, b):
         a[2] * b[0] - a[0] * b[2],
         a[0] * b[1] - a[1] * b[0],
     )
-
-
-@compiled
-def angle(x, y):
-    """Angle of (x, y) from the x axis, in (-pi, pi]: arctan2(y, x) in less time, but NaN at the
-    origin and pi where x < 0 and y = -0.0."""
-    out = math.atan(y / x)
-    return out + math.copysign(math.pi, y + 0.0) if math.copysign(1.0, x) < 0 else out

@@ -126,6 +126,13 @@ class Mesh:
             on_boundary[ends[at[uses == 1]]] = True
         return on_boundary
 
+    @cached_property
+    def unit(self) -> float:
+        """The power of two that its rings' lengths are multiplied by: see curvlib.kit.ring.unit."""
+        from ..kit.ring import unit
+
+        return unit(self.vertices)
+
     @property
     def rings(self) -> list:
         """Closed one-rings in batches of equal valence n: list of (vertices (m,), neighbours

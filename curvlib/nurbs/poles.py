@@ -49,7 +49,7 @@ def at_pole(net, polynomials, axis, end):
     e1 /= np.sqrt(_dot(e1, e1))
     x, y, kn = _dot(d, e1), _dot(d, np.cross(n, e1)), -_dot(second, n) / (speed * speed)
     columns = np.array([x * x, 2 * x * y, y * y, kn])
-    form = least_squares(columns[:, :, None].copy())[:, 0]
+    form = least_squares(columns[:, :, None].copy(), 1e-6)[:, 0]
     residual = np.abs(form @ columns[:3] - kn).max()
     if residual <= tolerance(net) * max(np.abs(kn).max(), 1 / net.size):
         c = from_form(*form, tuple(e1), tuple(n), flat(net))

@@ -12,9 +12,19 @@ from math import atan2, cos, pi, sin, sqrt
 import numpy as np
 
 NAN = float("nan")
-CUTOFF = 1e-6  # relative singular-value cut-off of the least-squares fits
-TIE = 1e-9  # angles closer than this (radians) are equal
+RANK = 1e-3  # singular values below this part of the largest: the direction is missing
+TIE = 2e-6  # angles closer than this (radians) are equal
 STRAIGHT = 1e-12  # sine of the angle below which three points count as collinear
+
+
+def degenerate(corners):
+    """Whether rounding decides the shape of a triangle (3, 3) of float64 coordinates, seen from its
+    first corner: twice its area is at most s (1e-12 s + 2^-49 |v|), squared term by term, with s
+    the root of the sum of its squared sides."""
+    v, p, q = np.asarray(corners, dtype=float)
+    s = sqrt(sum(np.dot(x, x) for x in (p - v, q - v, q - p)))
+    height = sqrt((1e-12 * s) ** 2 + (2.0**-49 * np.linalg.norm(v)) ** 2)
+    return not np.linalg.norm(np.cross(p - v, q - v)) > s * height
 
 
 def unit(x):
@@ -39,7 +49,7 @@ def least_squares(rows, values):
     """Minimum-norm solution with the relative cut-off; NaN for empty or undefined input."""
     if not values or not (np.isfinite(rows).all() and np.isfinite(values).all()):
         return np.full(3, NAN)
-    return np.linalg.lstsq(np.array(rows), np.array(values), rcond=CUTOFF)[0]
+    return np.linalg.lstsq(np.array(rows), np.array(values), rcond=RANK)[0]
 
 
 def from_principal(k1, k2):
@@ -122,9 +132,16 @@ def paraboloid(v, ring, exact_normal=None, normal="uniform"):
     """Section 3.1: least-squares z = a x^2 + b x y + c y^2; eqs. 3.4, 3.5."""
     r = Ring(v, ring, exact_normal, normal)
     xyz = [(np.dot(e, r.x), np.dot(e, r.y), np.dot(e, r.N)) for e in r.e]
-    rows = [(x * x, sqrt(2) * x * y, y * y) for x, y, z in xyz]
-    a, b_over_root_2, c = least_squares(rows, [z for x, y, z in xyz])
-    return 4 * a * c - (sqrt(2) * b_over_root_2) ** 2, -(a + c)
+    plane = np.array([p[:2] for p in xyz])
+    eigenvalues, axes = np.linalg.eigh(plane.T @ plane)
+    if not eigenvalues[0] > 0:
+        return NAN, NAN
+    # Symmetric square root: coordinates in which the ring is as wide in all directions.
+    whiten = axes @ np.diag(eigenvalues**-0.5) @ axes.T
+    rows = [(x * x, sqrt(2) * x * y, y * y) for x, y in plane @ whiten]
+    a, b_over_root_2, c = least_squares(rows, [p[2] for p in xyz])
+    form = whiten @ np.array([[a, b_over_root_2 / sqrt(2)], [b_over_root_2 / sqrt(2), c]]) @ whiten
+    return 4 * np.linalg.det(form), -np.trace(form)
 
 
 def circle_pairs(edges, pairs):
@@ -260,7 +277,8 @@ def estimate(vertices, faces, name, normals=None, only=None, **options):
             incident[corner].append(face)
     for v in range(len(vertices)) if only is None else only:
         ring = ring_of(incident[v], v)
-        if ring is not None:
+        around = [] if ring is None else list(zip(ring, ring[1:] + ring[:1]))
+        if around and not any(degenerate(vertices[[v, *pair]]) for pair in around):
             given = None if normals is None else normals[v]
             K[v], H[v] = estimator(vertices[v], [vertices[i] for i in ring], given, **options)
     return K, H

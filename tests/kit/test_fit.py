@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from curvlib.kit.fit import CUTOFF, least_squares
+from curvlib.kit.fit import fold, least_squares
 
 SYSTEMS = 200
+CUTOFF = 1e-3
 
 
 def systems(kind, rows, seed=0):
@@ -34,7 +35,7 @@ def systems(kind, rows, seed=0):
 def test_minimum_norm_solution(kind, rows):
     a, z = systems(kind, rows)
     columns = np.concatenate((a, z[..., None]), axis=2).transpose(2, 1, 0).copy()
-    found = least_squares(columns).T
+    found = least_squares(columns, CUTOFF).T
     for k in range(SYSTEMS):
         expected, _, rank, s = np.linalg.lstsq(a[k], z[k], rcond=CUTOFF)
         error = 1e-13 * np.linalg.norm(z[k]) * s[0] / s[rank - 1] ** 2 if rank else 0
@@ -45,8 +46,18 @@ def test_minimum_norm_solution(kind, rows):
 def test_not_a_number_stays_in_its_system(where):
     a, z = systems("rank 2", 4)
     columns = np.concatenate((a, z[..., None]), axis=2).transpose(2, 1, 0).copy()
-    expected = least_squares(columns.copy())
+    expected = least_squares(columns.copy(), CUTOFF)
     columns[(*where, 7)] = np.nan
-    found = least_squares(columns)
+    found = least_squares(columns, CUTOFF)
     assert np.isnan(found[:, 7]).all()
     np.testing.assert_array_equal(np.delete(found, 7, axis=1), np.delete(expected, 7, axis=1))
+
+
+@pytest.mark.parametrize("rows", [3, 5, 20])
+def test_folded_rows_have_the_same_solution(rows):
+    a, z = systems("regular", rows)
+    columns = np.concatenate((a, z[..., None]), axis=2).transpose(2, 1, 0).copy()
+    expected = least_squares(columns.copy(), CUTOFF)
+    fold(columns)
+    assert not columns[:, 3:].any()
+    np.testing.assert_allclose(least_squares(columns, CUTOFF), expected, rtol=1e-9)

@@ -1,0 +1,113 @@
+"""The normal of a one-ring, and its neighbours seen in the tangent plane."""
+
+import math
+from typing import Literal
+
+import numpy as np
+
+from curvlib.errors import InputError
+
+from .compiled import compiled
+from .ring import FLAT, SHEET, total
+from .vectors import add, at, divide, dot, norm
+
+Normal = Literal["uniform", "area", "exact"]
+
+
+@compiled
+def unit_normal(ring, kind):
+    """N_v, (3, m) unit: mean of the facet normals (3.3), plain or by area, or the exact one.
+
+    NaN where the facet normals cancel, to a sum below SHEET of that of their lengths.
+    InputError for "exact" where the mesh has no normals.
+    """
+    n, m = ring.areas.shape
+    if kind == "exact":
+        if ring.exact_normals.shape[1] != m:
+            raise InputError("normal='exact' needs a mesh with normals; this one has none")
+        return ring.exact_normals
+    facets, areas = ring.facets, ring.areas
+    N = np.zeros((3, m))
+    by_area = kind == "area"
+    for i in range(n):
+        for k in range(m):
+            weight = 1.0 if by_area else 1 / areas[i, k]
+            N[0, k], N[1, k], N[2, k] = add(at(N, k), weight, at(facets, i, k))
+    # A facet is twice its area long.
+    longest = 2 * total(areas) if by_area else np.full(m, 2.0 * n)
+    for k in range(m):
+        length = norm(at(N, k))
+        length = length if length > SHEET * longest[k] else np.nan
+        N[0, k], N[1, k], N[2, k] = divide(at(N, k), length)
+    return N
+
+
+@compiled
+def canonical(ring, N):
+    """x, y, z of the canonical form, (3, n, m): the neighbours with v at the origin and -N_v
+    along the z axis.
+
+    The paper's form, turned over: z is the depth below the tangent plane, so that a surface
+    which bends away from its normal has positive curvature. (x, y) is along T_i of (3.23), and
+    not of length one.
+    """
+    _, n, m = ring.e.shape
+    X, Y = _tangents(N)
+    out = np.empty((3, n, m))
+    for i in range(n):
+        for k in range(m):
+            e = at(ring.e, i, k)
+            out[0, i, k] = dot(e, at(X, k))
+            out[1, i, k] = dot(e, at(Y, k))
+            out[2, i, k] = -dot(e, at(N, k))
+    return out
+
+
+@compiled
+def kn(ring, N):
+    """Normal curvature towards each v_i (3.16), (n, m); positive where the surface bends away
+    from its normal."""
+    e, squares = ring.e, ring.squares
+    out = np.empty_like(squares)
+    for i in range(out.shape[0]):
+        for k in range(out.shape[1]):
+            out[i, k] = -2 * dot(at(e, i, k), at(N, k)) / squares[i, k]
+    return out
+
+
+@compiled
+def whitening(xyz):
+    """p, q and r, (m,) each, such that sum u_i^2 = sum v_i^2 = 1 and sum u_i v_i = 0 for
+    u = p x, v = q x + r y, of neighbours in the canonical form (3, n, m).
+
+    In these coordinates no direction of the ring is longer than another; those of another frame
+    differ by a rotation. NaN where the ring's projection is a line, to FLAT.
+    """
+    p, q, r = np.empty((3, xyz.shape[2]))
+    for k in range(len(p)):
+        x, y = xyz[0, :, k], xyz[1, :, k]
+        xx, xy, yy = (x * x).sum(), (x * y).sum(), (y * y).sum()
+        # From the remainders, since the difference of the sums cancels.
+        slope = xy / xx
+        rest = ((y - slope * x) ** 2).sum()
+        line = not xx / (xx + yy) * (rest / (xx + yy)) > FLAT**2
+        p[k], r[k] = 1 / np.sqrt(xx), np.nan if line else 1 / np.sqrt(rest)
+        q[k] = -slope * r[k]
+    return p, q, r
+
+
+@compiled
+def _tangents(N):
+    """Two unit vectors (3, m) each that with N (3, m) make a right-handed frame.
+
+    Duff et al. 2017, Building an orthonormal basis, revisited (JCGT 6, 1).
+    """
+    X, Y = np.empty_like(N), np.empty_like(N)
+    for k in range(N.shape[1]):
+        x, y, z = at(N, k)
+        sign = math.copysign(1.0, z)
+        a = -1 / (sign + z)
+        b = x * y * a
+        X[0, k], X[1, k], X[2, k] = 1 + sign * x * x * a, sign * b, -sign * x
+        Y[0, k], Y[1, k], Y[2, k] = b, sign + y * y * a, -y
+    return X, Y
