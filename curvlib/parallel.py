@@ -2,26 +2,28 @@
 
 from collections import deque
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 
 
 def for_each(function, items, threads: int = 1) -> list:
-    """[function(item) for item in items]; an error of any ends it, and no more are begun."""
+    """[function(item) for item in items], each item once; an error of any ends it, and no more
+    are begun."""
     count = len(items)
     threads = min(threads, count)
     if threads <= 1:
         return [function(item) for item in items]
     results = [None] * count
-    shares = [iter(range(k * count // threads, (k + 1) * count // threads)) for k in range(threads)]
+    ends = [k * count // threads for k in range(threads + 1)]
+    shares = [deque(range(*share)) for share in zip(ends, ends[1:])]
 
     def work(k):
         try:
             # Neighbours in memory by one thread; then what is left of the shares of others.
-            for share in shares[k:] + shares[:k]:
-                for item in share:
-                    results[item] = function(items[item])
+            for item in _taken(shares[k:] + shares[:k]):
+                results[item] = function(items[item])
         except BaseException:
             for share in shares:
-                deque(share, maxlen=0)
+                share.clear()
             raise
 
     with ThreadPoolExecutor(threads - 1) as pool:
@@ -30,3 +32,12 @@ def for_each(function, items, threads: int = 1) -> list:
         for other in others:
             other.result()
     return results
+
+
+def _taken(shares):
+    """Yield what the shares still hold. No two threads take the same item, since popleft is atomic
+    with Python's lock and without; next() of a shared iterator is not."""
+    for share in shares:
+        with suppress(IndexError):  # the share is empty
+            while True:
+                yield share.popleft()

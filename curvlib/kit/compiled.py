@@ -30,7 +30,9 @@ def compiled(function):
     # another state of the package has another folder.
     config.CACHE_DIR = _FOLDER or given
     try:
-        jit = numba.njit(nogil=True, error_model="numpy", cache=_FOLDER is not None)
+        jit = numba.njit(
+            nogil=True, no_cfunc_wrapper=True, error_model="numpy", cache=_FOLDER is not None
+        )
         return jit(function)
     finally:
         config.CACHE_DIR = given

@@ -1,9 +1,11 @@
-"""From faces to one-rings: their corners, sorted by vertex and walked around each.
+"""From faces to one-rings: corners dealt out by vertex, and walked around each.
 
-A corner is a vertex of a face; the two that follow it there are the corner's pair, packed into
-one integer as next * 2^32 + last. Corners are dealt out to buckets of consecutive vertices
-first, so that sorting and walking stay in cache, however the faces come; parts of the faces,
+A corner is a vertex of a face; the two vertices that follow it there are its pair, packed into
+one integer as next * 2^32 + last. A radix pass deals the corners out to buckets of consecutive
+vertices, so that sorting and walking stay in cache, however the faces come. Parts of the faces,
 and buckets, are independent of each other.
+
+A face that names a vertex twice covers nothing and has no corners.
 """
 
 import numpy as np
@@ -12,12 +14,13 @@ from curvlib.errors import InputError
 from curvlib.kit.compiled import compiled
 from curvlib.parallel import for_each
 
-# 2^SHIFT vertices make a bucket, whose corners stay in cache: at most 16, since in their bucket
-# vertices are counted in 16 bits.
+# 2^SHIFT vertices make a bucket, whose corners stay in cache: at most 16, since a bucket counts
+# its vertices in 16 bits.
 SHIFT = 14
 PART = 65536  # faces
 LAST = (1 << 32) - 1
-# From this valence on the corner that follows is looked up in a table, not among all.
+MOST = 1 << 31  # vertices, corners: rings hold int32
+# From this valence on the next pair is looked up in a hash table instead of in all pairs.
 MANY = 64
 
 
@@ -25,21 +28,29 @@ def one_rings(faces, total, threads: int = 1):
     """Closed one-rings of the vertices of faces (F, 3): list of (vertices (m,), neighbours (n, m)),
     int32, in batches of equal valence n.
 
-    `total`: the number of vertices. InputError where a face refers to none of them.
+    `total`: the number of vertices. InputError where vertices or corners are more than int32
+    counts, or where a face refers to no vertex.
     """
+    if max(total, 3 * len(faces)) > MOST:
+        raise InputError(
+            f"mesh: {total} vertices and {3 * len(faces)} corners (three a face), expected at most "
+            f"{MOST} of each"
+        )
+    # One array type, so that one machine code serves all meshes.
+    faces = faces.view()
+    faces.flags.writeable = False
     parts = [slice(k, k + PART) for k in range(0, len(faces), PART)]
     counts = np.zeros((len(parts), (total >> SHIFT) + 1), dtype=np.intp)
     places = np.zeros(counts.size + 1, dtype=np.intp)
     owners = np.empty(3 * len(faces), dtype=np.uint16)
     pairs = np.empty(3 * len(faces), dtype=np.int64)
-    vertices, neighbours = np.empty(total, dtype=np.int32), np.empty(len(pairs), dtype=np.int32)
+    neighbours = np.empty(len(pairs), dtype=np.int32)
 
     def count(part):
-        # New memory is zeroed page by page when first written to: here by one thread each,
-        # where corners are dealt out by all threads at a time.
+        # First touch: each thread faults in its own pages before all threads scatter into them.
         own = slice(3 * parts[part].start, 3 * parts[part].stop)
         owners[own][::2048], pairs[own][::512] = 0, 0
-        # A mesh has looked at its faces when it was made; but the array may be shared.
+        # Mesh has checked its faces, but their array may have been written to since.
         if not _count(faces[parts[part]], total, SHIFT, counts[part]):
             raise InputError("faces: changed since the mesh was made, to what is no vertex")
 
@@ -48,12 +59,15 @@ def one_rings(faces, total, threads: int = 1):
 
     def walk(bucket):
         first, own = bucket << SHIFT, slice(*ends[bucket : bucket + 2])
-        found = vertices[first : first + (1 << SHIFT)], neighbours[own]
-        rings = _walk(owners[own], pairs[own], first, total, *found)
-        return list(_batches(rings, *found))
+        begin = np.zeros(min(1 << SHIFT, total - first) + 1, dtype=np.uint32)
+        ordered = np.empty_like(pairs[own])
+        _by_vertex(owners[own], pairs[own], begin, begin[:-1].copy(), ordered)
+        valence = np.diff(begin)
+        _close(ordered, begin, _table(valence), valence)
+        return list(_batches(ordered, begin, valence, first, neighbours[own]))
 
     for_each(count, range(len(parts)), threads)
-    # Bucket by bucket, and in each part by part: in the order of the faces.
+    # By bucket, then by part: a vertex has its corners in the order of the faces.
     counts.T.cumsum(out=places[1:])
     starts = places[:-1].reshape(counts.shape[::-1]).T.copy()
     for_each(deal, range(len(parts)), threads)
@@ -62,8 +76,20 @@ def one_rings(faces, total, threads: int = 1):
     return [batch for found in batches for batch in found]
 
 
-def _batches(rings, vertices, neighbours):
-    """Yield the batches, whose numbers of rings by valence are known."""
+def _table(valence):
+    """Room for `_walk_by_table` at the largest valence n: less than 4 n slots, and n pairs."""
+    largest = int(valence.max(initial=0))
+    return np.empty(5 * largest if largest >= MANY else 0, dtype=np.int64)
+
+
+def _batches(pairs, begin, valence, first, neighbours):
+    """Yield the batches of a bucket, whose neighbours are written to `neighbours` (corners,)."""
+    rings = np.bincount(valence, minlength=1)
+    rings[0] = 0
+    slots = np.arange(len(rings)) * rings
+    ends, vertices = rings.cumsum(), np.empty(rings.sum(), dtype=np.int32)
+    at, slot = ends - rings, slots.cumsum() - slots
+    _scatter(pairs, begin, valence, first, rings, at, slot, vertices, neighbours)
     for n in np.flatnonzero(rings):
         m = rings[n]
         yield vertices[:m], neighbours[: n * m].reshape(n, m)
@@ -71,90 +97,70 @@ def _batches(rings, vertices, neighbours):
 
 
 @compiled
+def _covers(a, b, c):
+    """Whether a face names three vertices."""
+    return a != b and b != c and c != a
+
+
+@compiled
 def _count(faces, total, shift, counts):
     """Add to counts (buckets,) the corners of faces (F, 3) that lie in each bucket; whether all
     refer to one of a total of vertices."""
     for f in range(len(faces)):
-        for c in range(3):
-            if not 0 <= faces[f, c] < total:
-                return False
-            counts[faces[f, c] >> shift] += 1
+        a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
+        if min(a, b, c) < 0 or max(a, b, c) >= total:
+            return False
+        if _covers(a, b, c):
+            counts[a >> shift] += 1
+            counts[b >> shift] += 1
+            counts[c >> shift] += 1
     return True
 
 
 @compiled
 def _deal(faces, shift, places, owners, pairs):
-    """Write the corners' vertices, counted in their bucket, and pairs, (corners,) each, from
+    """Scatter the corners' vertices, counted in their bucket, and pairs, (corners,) each, to
     places (buckets,) on, which move along."""
     for f in range(len(faces)):
-        for c in range(3):
-            v = faces[f, c]
-            place = places[v >> shift]
-            places[v >> shift] = place + 1
-            owners[place] = v - (v >> shift << shift)
-            pairs[place] = faces[f, (c + 1) % 3] << 32 | faces[f, (c + 2) % 3]
+        if _covers(faces[f, 0], faces[f, 1], faces[f, 2]):
+            for c in range(3):
+                v = faces[f, c]
+                place = places[v >> shift]
+                places[v >> shift] = place + 1
+                owners[place] = v - (v >> shift << shift)
+                pairs[place] = faces[f, (c + 1) % 3] << 32 | faces[f, (c + 2) % 3]
 
 
 @compiled
-def _walk(owners, pairs, first, total, order, neighbours):
-    """One-rings of the vertices from `first` on, whose corners these are.
-
-    Returns how many closed ones there are by valence. Sets `order` (vertices,) to their vertices
-    by rising valence, and `neighbours` (corners,) to their neighbours, of each valence n an
-    (n, m), one after the other; what is left over stays as it is. `total`: of vertices in the
-    mesh.
-    """
-    vertices = len(order)
-    begin, pairs = _by_vertex(owners, pairs, vertices)
-    valence, table = np.zeros(vertices, np.uint32), np.zeros(0, np.int32)
-    for v in range(vertices):
-        own = pairs[begin[v] : begin[v + 1]]
-        if len(own) >= MANY and len(table) == 0:
-            table = np.full(total, -1, np.int32)
-        if len(own) >= 3 and (_sort(own) if len(own) < MANY else _sort_by_table(own, table)):
-            valence[v] = len(own)
-
-    largest = 0
-    for n in valence:
-        largest = max(largest, n)
-    rings = np.zeros(largest + 1, np.int64)
-    for n in valence:
-        rings[n] += 1
-    rings[0] = 0
-    # Of each valence: where its vertices and its neighbours begin, and how many are written.
-    at, neighbours_at, written = np.zeros((3, largest + 2), np.int64)
-    for n in range(largest + 1):
-        at[n + 1] = at[n] + rings[n]
-        neighbours_at[n + 1] = neighbours_at[n] + n * rings[n]
-    for v in range(vertices):
-        n = valence[v]
-        if n > 0:
-            k = written[n]
-            written[n] = k + 1
-            order[at[n] + k] = first + v
-            for i in range(n):
-                neighbours[neighbours_at[n] + i * rings[n] + k] = pairs[begin[v] + i] >> 32
-    return rings
-
-
-@compiled
-def _by_vertex(owners, pairs, vertices):
-    """Where the pairs of each vertex begin, (vertices + 1,), and the pairs in that order."""
-    begin = np.zeros(vertices + 1, np.uint32)
-    for owner in owners:
-        begin[owner + np.uint32(1)] += np.uint32(1)
-    for v in range(vertices):
-        begin[v + 1] += begin[v]
-    place, ordered = begin.copy(), np.empty_like(pairs)
+def _by_vertex(owners, pairs, begin, place, ordered):
+    """Counting sort of the pairs by vertex: sets `ordered`, and `begin` (vertices + 1,) to where
+    the pairs of each vertex begin there. `place` (vertices,) is overwritten."""
     for row in range(len(owners)):
-        ordered[place[owners[row]]] = pairs[row]
-        place[owners[row]] += np.uint32(1)
-    return begin, ordered
+        begin[owners[row] + np.uint32(1)] += 1
+    for v in range(len(place)):
+        place[v] = begin[v]
+        begin[v + 1] += begin[v]
+    for row in range(len(owners)):
+        v = owners[row]
+        ordered[place[v]] = pairs[row]
+        place[v] += 1
 
 
 @compiled
-def _sort(pairs):
-    """Bring the pairs of a vertex in the order of a walk; whether it came by all and back."""
+def _close(pairs, begin, table, valence):
+    """Bring the pairs of each vertex into the order of a walk around it; where they do not close
+    to one ring, set its valence to zero."""
+    for v in range(len(valence)):
+        own = pairs[begin[v] : begin[v + 1]]
+        if len(own) >= 3 and (_walk(own) if len(own) < MANY else _walk_by_table(own, table)):
+            valence[v] = len(own)
+        else:
+            valence[v] = 0
+
+
+@compiled
+def _walk(pairs):
+    """Bring the pairs of a vertex into the order of a walk; whether it came by all and back."""
     n, start = len(pairs), pairs[0] >> 32
     for i in range(1, n):
         vertex = pairs[i - 1] & LAST
@@ -174,19 +180,54 @@ def _find(vertex, pairs, place):
 
 
 @compiled
-def _sort_by_table(pairs, table):
-    """As `_sort`, by a table of -1 for each vertex, in which each neighbour has its pair."""
-    walked = np.empty_like(pairs)
-    for i in range(len(pairs)):
-        table[pairs[i] >> 32] = i
-    i = steps = 0
-    while steps < len(pairs) and i >= 0 and (i > 0 or steps == 0):
-        walked[steps] = pairs[i]
-        i = table[pairs[i] & LAST]
-        steps += 1
-    for pair in pairs:
-        table[pair >> 32] = -1
-    closed = steps == len(pairs) and i == 0
-    if closed:
-        pairs[:] = walked
-    return closed
+def _walk_by_table(pairs, table):
+    """As `_walk`, in O(n): the table holds where the pair of each vertex is, by open addressing,
+    and behind that the walk, since it may turn out not to close."""
+    n, bits = len(pairs), 1
+    while 1 << bits < 2 * n:
+        bits += 1
+    walked = 1 << bits
+    for slot in range(walked):
+        table[slot] = -1
+    for i in range(n):
+        slot = _slot(pairs[i] >> 32, pairs, table, bits)
+        if table[slot] >= 0:
+            return False
+        table[slot] = i
+    i = 0
+    for step in range(n):
+        table[walked + step] = pairs[i]
+        i = table[_slot(pairs[i] & LAST, pairs, table, bits)]
+        if i < 0 or (i == 0) != (step == n - 1):
+            return False
+    for step in range(n):
+        pairs[step] = table[walked + step]
+    return True
+
+
+@compiled
+def _slot(vertex, pairs, table, bits):
+    """Where a vertex is in a table of 2^bits, or the empty slot where it would be (Fibonacci
+    hashing, Knuth, volume 3, section 6.4)."""
+    slot = (vertex * 2654435769 & LAST) >> (32 - bits)
+    while table[slot] >= 0 and pairs[table[slot]] >> 32 != vertex:
+        slot = (slot + 1) & ((1 << bits) - 1)
+    return slot
+
+
+@compiled
+def _scatter(pairs, begin, valence, first, m, at, slot, vertices, neighbours):
+    """Write each closed ring into its batch.
+
+    Of each valence n there are `m` rings; `at` and `slot` (n,) are where its m vertices begin in
+    `vertices` and its (n, m) neighbours in `neighbours`; both move along.
+    """
+    for v in range(len(valence)):
+        n = valence[v]
+        if n > 0:
+            vertices[at[n]] = first + v
+            at[n] += 1
+            start, place, step = begin[v], slot[n], m[n]
+            slot[n] = place + 1
+            for i in range(n):
+                neighbours[place + i * step] = pairs[start + i] >> 32
