@@ -3,6 +3,7 @@
 from collections import deque
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
+from itertools import pairwise
 
 
 def for_each(function, items, threads: int = 1) -> list:
@@ -14,7 +15,7 @@ def for_each(function, items, threads: int = 1) -> list:
         return [function(item) for item in items]
     results = [None] * count
     ends = [k * count // threads for k in range(threads + 1)]
-    shares = [deque(range(*share)) for share in zip(ends, ends[1:])]
+    shares = [deque(range(*share)) for share in pairwise(ends)]
 
     def work(k):
         try:

@@ -5,41 +5,88 @@ Python: with NUMBA_DISABLE_JIT=1 in the environment it runs as it stands, to be 
 Floating-point operations keep their order and are never fused, so the same bytes come out
 whatever the vector instructions of the machine, but for arctangents, which are the C library's.
 
-It takes longer to import than all of curvlib: what needs it is imported where it is called.
+Importing Numba costs more than the rest of curvlib, so modules that need it are imported inside
+functions.
 """
 
+import functools
 import hashlib
 import os
-import tempfile
+import re
+import shutil
+import time
+import uuid
 import warnings
+from contextlib import suppress
 from pathlib import Path
 
 import numba
-from numba.core import config
+from numba.core import caching, config
 
 PACKAGE = Path(__file__).parents[1]
+UNUSED = 30 * 24 * 3600  # seconds after which code of another state of the package is removed
 
 
 def compiled(function):
     """The function, compiled when first called with arguments of some types.
 
-    A file of estimators from elsewhere may use it as those of the package do.
+    A file of estimators from elsewhere may use it as those of the package do. The machine code is
+    kept in NUMBA_CACHE_DIR, XDG_CACHE_HOME or ~/.cache; where it cannot be kept, or is damaged,
+    it is compiled again.
+
+    Numba compiles each kind of call once more for every array type, and a comparison of strings,
+    an assignment to a slice, a reduction such as x.max() or an expression of whole arrays costs
+    it 0.3 to 1.5 s: loops over elements are compiled in a tenth of that.
     """
-    given = config.CACHE_DIR
+    # No function is called through a C pointer, for which Numba would compile a second wrapper.
+    jit = numba.njit(nogil=True, error_model="numpy", no_cfunc_wrapper=True)(function)
+    if not config.DISABLE_JIT and Path(function.__code__.co_filename).exists() and _folder():
+        jit._cache = _Kept(function)
+    return jit
+
+
+class _Kept(caching.FunctionCache):
+    """Machine code of one function on disk; a file that cannot be read or written is no error."""
+
+    class _impl_class(caching.CompileResultCacheImpl):
+        class _Locator(caching.UserWideCacheLocator):
+            def __init__(self, py_func, py_file):
+                super().__init__(py_func, py_file)
+                self._cache_path = str(_folder() / self.get_suitable_cache_subpath(py_file))
+
+            @classmethod
+            def from_function(cls, py_func, py_file):
+                return cls(py_func, py_file)  # makes no folder before there is something to keep
+
+            def ensure_cache_path(self):
+                _remove_unused(_folder())
+                super().ensure_cache_path()
+
+        _locator_classes = (_Locator,)
+
+    def load_overload(self, sig, target_context):
+        _mark_as_used(_folder())
+        try:
+            found = super().load_overload(sig, target_context)
+        except Exception:  # a file that was cut short may unpickle into any error
+            with suppress(OSError):
+                self.flush()
+            return None
+        # Of two processes that write at a time, one may have taken the other's file name.
+        return found if found and found.signature.args == tuple(sig) else None
+
+    def save_overload(self, sig, data):
+        try:
+            super().save_overload(sig, data)
+        except OSError as error:
+            _warn(error)
+
+
+@functools.cache
+def _folder():
+    """Where compiled code of this state of the package is kept; None where there is no home."""
     # Numba looks for changes in the function's own file alone, not in those that it calls:
     # another state of the package has another folder.
-    config.CACHE_DIR = _FOLDER or given
-    try:
-        jit = numba.njit(
-            nogil=True, no_cfunc_wrapper=True, error_model="numpy", cache=_FOLDER is not None
-        )
-        return jit(function)
-    finally:
-        config.CACHE_DIR = given
-
-
-def _folder():
-    """Where compiled code of this state of the package is kept; None where it cannot be."""
     code = hashlib.sha256()
     for path in sorted(PACKAGE.rglob("*.py")):
         source = path.read_bytes()
@@ -47,17 +94,41 @@ def _folder():
             code.update(source)
     try:
         base = config.CACHE_DIR or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-        folder = Path(base, "curvlib", code.hexdigest()[:16])
-        folder.mkdir(parents=True, exist_ok=True)
-        tempfile.TemporaryFile(dir=folder).close()
-    except (OSError, RuntimeError) as error:  # the latter where there is no home
+    except RuntimeError as error:
+        _warn(error)
+        return None
+    return Path(base, "curvlib", code.hexdigest()[:16])
+
+
+@functools.cache
+def _mark_as_used(folder):
+    """Once a process: the time by which `_remove_unused` judges."""
+    with suppress(OSError):
+        os.utime(folder)
+
+
+@functools.cache
+def _remove_unused(folder):
+    """Once a process that makes the folder of a new state: remove those that none has used."""
+    if folder.exists():
+        return
+    with suppress(OSError):
+        for other in folder.parent.iterdir():
+            old = other.stat().st_mtime < time.time() - UNUSED
+            if old and re.fullmatch(r"[0-9a-f]{16}(\.[0-9a-f]{32})?", other.name):
+                # Renamed first: no process finds half of it, and of several one removes it.
+                gone = other.rename(other.with_name(f"{other.name[:16]}.{uuid.uuid4().hex}"))
+                shutil.rmtree(gone, ignore_errors=True)
+
+
+def _warn(error):
+    if not _warned:
+        _warned.append(error)
         warnings.warn(
             f"compiled code cannot be kept ({error}), so that each process takes some seconds to "
             "compile it; name a folder in NUMBA_CACHE_DIR",
             stacklevel=2,
         )
-        return None
-    return str(folder)
 
 
-_FOLDER = _folder()
+_warned = []
