@@ -110,6 +110,7 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     >>> curvlib.estimate(tetrahedron, "gauss_bonnet").K.round(4)
     array([0.9069, 0.9069, 0.9069, 0.9069])
     """
+    from .kit.options import as_options
     from .kit.ring import gather
 
     _keep_pages()
@@ -124,7 +125,7 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         # All of them, since each set of given ones would be compiled anew.
         chosen = {option: values[0] for option, values in readings(each).items()} | options
         found[each] = _Found(name, len(mesh.vertices))
-        task = (found[each], function, chosen)
+        task = (found[each], function, as_options(chosen))
         (of_mesh if takes_mesh(function) else of_ring).append(task)
 
     def store(given, at, start, end, tasks, unit):

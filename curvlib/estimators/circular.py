@@ -40,12 +40,15 @@ def estimate(ring, normal: Normal = "uniform", pairs: Pairs = "opposite"):
     """
     _, n, m = ring.e.shape
     if n > MOST:
-        return np.full(m, np.nan), np.full(m, np.nan)
+        undefined = np.full(m, np.nan)
+        return undefined, undefined
     unit, inverted = _unit(ring), _inverted(ring, unit_normal(ring, normal))
     steps, limits = _limits(unit, pairs)
     more, circles = _at_least_three(unit, steps, limits)
     # As many rows as the ring with most circles has, or MOST_ROWS; others are filled with zeros.
-    rows = max(1, min(circles.max(), MOST_ROWS))
+    rows = 1
+    for k in range(m):
+        rows = min(max(rows, circles[k]), MOST_ROWS)
     columns, row = np.zeros((4, rows, m)), np.zeros(m, np.intp)
     for i in range(n):
         for j in range(i + 1, n):
@@ -59,7 +62,8 @@ def estimate(ring, normal: Normal = "uniform", pairs: Pairs = "opposite"):
                     nearest = (x * dx + y * dy + z * dz) / (xx + yy + dz * dz)
                     if row[k] == rows:
                         fold(columns)
-                        row[:] = np.minimum(row, 3)
+                        for other in range(m):
+                            row[other] = min(row[other], 3)
                     r, row[k] = row[k], row[k] + 1
                     columns[0, r, k] = 1
                     columns[1, r, k] = (xx - yy) / (xx + yy)
@@ -69,7 +73,9 @@ def estimate(ring, normal: Normal = "uniform", pairs: Pairs = "opposite"):
         if row[k] == 0:
             columns[3, 0, k] = np.nan
     A, B, C = least_squares(columns, CUTOFF)
-    return A * A - B * B - C * C, A
+    for k in range(m):
+        B[k] = A[k] * A[k] - B[k] * B[k] - C[k] * C[k]
+    return B, A
 
 
 @compiled
@@ -108,7 +114,7 @@ def _limits(unit, pairs):
     if pairs == "ring-opposite":
         return n // 2, limits
     if pairs == "opposite":
-        limits[:] = np.inf
+        limits = np.full((n, m), np.inf)
         for i in range(n):
             for j in range(i + 1, n):
                 for k in range(m):
@@ -119,7 +125,8 @@ def _limits(unit, pairs):
             for k in range(m):
                 limits[i, k] = _tied(limits[i, k])
     else:
-        limits[:] = math.cos(math.radians(120 if pairs == "above-120" else 90) + TIE)
+        limit = math.cos(math.radians(120 if pairs == "above-120" else 90) + TIE)
+        limits = np.full((n, m), limit)
     return n, limits
 
 

@@ -3,8 +3,6 @@
 import math
 from typing import Literal
 
-import numpy as np
-
 from curvlib.kit.compiled import compiled
 from curvlib.kit.ring import beta, following, mixed_area, total, total_angle, weighted_total
 
@@ -26,10 +24,18 @@ def estimate(
     is that of the next edge.
     """
     A = total(ring.areas)
-    cell = mixed_area(ring) if area == "mixed" else A / 3
-    angles = beta(ring) if dihedral == "signed" else np.abs(beta(ring))
+    mixed, half, signed = area == "mixed", area == "half", dihedral == "signed"
+    cell = mixed_area(ring) if mixed else A
+    angles = beta(ring)
     if dihedral == "as-printed":
         angles = following(angles)
-    K = (2 * math.pi - total_angle(ring)) / (A / 2 if area == "half" else cell)
-    H = weighted_total(ring.lengths, angles) / (4 * cell)
+    if not signed:
+        for i in range(len(angles)):
+            for k in range(angles.shape[1]):
+                angles[i, k] = abs(angles[i, k])
+    K, H = total_angle(ring), weighted_total(ring.lengths, angles)
+    for k in range(len(K)):
+        cell_k = cell[k] if mixed else A[k] / 3
+        K[k] = (2 * math.pi - K[k]) / (A[k] / 2 if half else cell_k)
+        H[k] /= 4 * cell_k
     return K, H

@@ -25,10 +25,19 @@ def estimate(ring, normal: Normal = "uniform"):
     """
     xyz = canonical(ring, unit_normal(ring, normal))
     (a, b, c), weak = regression(_columns(xyz), CUTOFF)
-    b = math.sqrt(2) * b
-    K, H = 4 * a * c - b * b, a + c
+    K, H = np.empty(len(a)), np.empty(len(a))
+    for k in range(len(a)):
+        xy = math.sqrt(2) * b[k]
+        K[k], H[k] = 4 * a[k] * c[k] - xy * xy, a[k] + c[k]
     if len(weak) > 0:
-        K[weak], H[weak] = _whitened(xyz[:, :, weak])
+        some = np.empty((3, xyz.shape[1], len(weak)))
+        for axis in range(3):
+            for i in range(xyz.shape[1]):
+                for k in range(len(weak)):
+                    some[axis, i, k] = xyz[axis, i, weak[k]]
+        a, c = _whitened(some)
+        for k in range(len(weak)):
+            K[weak[k]], H[weak[k]] = a[k], c[k]
     return K, H
 
 
@@ -51,8 +60,14 @@ def _columns(xyz):
 def _whitened(xyz):
     """K and H of the form of least norm in u = p x, v = q x + r y; overwrites x and y."""
     p, q, r = whitening(xyz)
-    xyz[1] = q * xyz[0] + r * xyz[1]
-    xyz[0] *= p
+    for i in range(xyz.shape[1]):
+        for k in range(xyz.shape[2]):
+            xyz[1, i, k] = q[k] * xyz[0, i, k] + r[k] * xyz[1, i, k]
+            xyz[0, i, k] *= p[k]
     a, b, c = least_squares(_columns(xyz), CUTOFF)
-    b = math.sqrt(2) * b
-    return (4 * a * c - b * b) * (p * r) ** 2, a * p * p + b * p * q + c * (q * q + r * r)
+    K, H = np.empty_like(p), np.empty_like(p)
+    for k in range(len(p)):
+        xy, rr = math.sqrt(2) * b[k], p[k] * r[k]
+        K[k] = (4 * a[k] * c[k] - xy * xy) * (rr * rr)
+        H[k] = a[k] * p[k] * p[k] + xy * p[k] * q[k] + c[k] * (q[k] * q[k] + r[k] * r[k])
+    return K, H

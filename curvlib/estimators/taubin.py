@@ -1,5 +1,6 @@
 """Taubin's approach, section 3.5."""
 
+import math
 from typing import Literal
 
 import numpy as np
@@ -40,10 +41,14 @@ def from_tensor(weights, curvature, along, principal):
             m11[k] += w * (x * x)
             m12[k] += w * (x * y)
             m22[k] += w * (y * y)
-    sum_of_weights = total(weights)
-    m11, m12, m22 = m11 / sum_of_weights, m12 / sum_of_weights, m22 / sum_of_weights
-    t, d = m11 + m22, m11 * m22 - m12 * m12
-    if principal == "as-printed":
-        k1 = t + 2 * np.hypot(m11 - m22, 2 * m12)
-        return k1 * k1, k1
-    return 16 * d - 3 * t * t, t
+    sums, as_printed = total(weights), principal == "as-printed"
+    K, H = np.empty(m), np.empty(m)
+    for k in range(m):
+        a, b, c = m11[k] / sums[k], m12[k] / sums[k], m22[k] / sums[k]
+        t, d = a + c, a * c - b * b
+        if as_printed:
+            k1 = t + 2 * math.hypot(a - c, 2 * b)
+            K[k], H[k] = k1 * k1, k1
+        else:
+            K[k], H[k] = 16 * d - 3 * t * t, t
+    return K, H

@@ -24,5 +24,8 @@ def estimate(
     N = unit_normal(ring, normal)
     w = with_preceding(ring.areas) if weights == "area" else alpha(ring)
     curvature = kn(ring, N)
-    mean = (curvature + following(curvature)) / 2
+    mean = following(curvature)
+    for i in range(len(mean)):
+        for k in range(mean.shape[1]):
+            mean[i, k] = (curvature[i, k] + mean[i, k]) / 2
     return from_tensor(w, mean, canonical(ring, N), principal)

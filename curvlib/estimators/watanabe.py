@@ -26,8 +26,13 @@ def estimate(
     the weight of kn_i is (phi_{i-1} + phi_i) / 2.
     """
     N = unit_normal(ring, normal)
-    phi = alpha(ring) if angles == "spatial" else _between(canonical(ring, N))
-    curvature = kn(ring, N)
+    phi = alpha(ring) if angles == "spatial" else between(canonical(ring, N))
+    return by_trapezoids(phi, kn(ring, N))
+
+
+@compiled
+def by_trapezoids(phi, curvature):
+    """K and H of curvatures in directions that are angles phi (n, m) apart."""
     n, m = phi.shape
     mean, mean_square = np.zeros(m), np.zeros(m)
     for i in range(n):
@@ -35,12 +40,15 @@ def estimate(
             w = (phi[i - 1, k] + phi[i, k]) * curvature[i, k]
             mean[k] += w
             mean_square[k] += w * curvature[i, k]
-    H = mean / (4 * math.pi)
-    return 3 * H * H - mean_square / (2 * math.pi), H
+    K, H = mean_square, mean
+    for k in range(m):
+        H[k] /= 4 * math.pi
+        K[k] = 3 * H[k] * H[k] - K[k] / (2 * math.pi)
+    return K, H
 
 
 @compiled
-def _between(along):
+def between(along):
     """Angle from T_i to T_{i+1} about the normal, in (-pi, pi]: they sum to 2 pi around v.
 
     `along`: vectors (x, y) along T_i, in a canonical form (3, n, m).

@@ -1,8 +1,8 @@
 """Watanabe A, section 3.6: base Watanabe with tangent directions and the uniform normal."""
 
-from curvlib.estimators import watanabe
+from curvlib.estimators.watanabe import between, by_trapezoids
 from curvlib.kit.compiled import compiled
-from curvlib.kit.frame import Normal
+from curvlib.kit.frame import Normal, canonical, kn, unit_normal
 
 LABEL = "Watanabe A"
 SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
@@ -15,4 +15,5 @@ def estimate(ring, normal: Normal = "uniform"):
 
     The curvature of the circle through v and v_i that touches the tangent plane is (3.16).
     """
-    return watanabe.estimate(ring, normal, "projected")
+    N = unit_normal(ring, normal)
+    return by_trapezoids(between(canonical(ring, N)), kn(ring, N))

@@ -16,4 +16,6 @@ def estimate(ring, normal: Normal = "uniform"):
     for i in range(1, len(curvature)):
         for k in range(len(k1)):
             k1[k], k2[k] = max(k1[k], curvature[i, k]), min(k2[k], curvature[i, k])
-    return k1 * k2, (k1 + k2) / 2
+    for k in range(len(k1)):
+        k1[k], k2[k] = k1[k] * k2[k], (k1[k] + k2[k]) / 2
+    return k1, k2

@@ -52,9 +52,13 @@ def fold(columns):
     """Replace each system of columns (4, rows, m) by three rows, at the beginning, that have the
     same least-squares solution, and zeros."""
     D, U = _factors(columns)
-    columns[:] = 0
+    _, rows, m = columns.shape
+    for i in range(4):
+        for row in range(rows):
+            for k in range(m):
+                columns[i, row, k] = 0.0
     for i in range(3):
-        for k in range(len(D[i])):
+        for k in range(m):
             scale = np.sqrt(D[i, k])
             columns[i, i, k] = scale
             for j in range(i + 1, 4):
@@ -170,7 +174,7 @@ def _truncated(D, U, k, x, cutoff):
             squares[j] += R[i, j] * R[i, j]
             projections[j] += R[i, j] * y[i]
     largest = max(squares[0], squares[1], squares[2])
-    x[:, k] = 0
+    x[0, k], x[1, k], x[2, k] = 0.0, 0.0, 0.0
     for j in range(3):
         # Times zero below the cut-off, which keeps NaN.
         inverse = 1 / squares[j] if squares[j] > cutoff**2 * largest else 0.0

@@ -34,10 +34,11 @@ def unit_normal(ring, kind):
             weight = 1.0 if by_area else 1 / areas[i, k]
             N[0, k], N[1, k], N[2, k] = add(at(N, k), weight, at(facets, i, k))
     # A facet is twice its area long.
-    longest = 2 * total(areas) if by_area else np.full(m, 2.0 * n)
+    sums = total(areas) if by_area else np.empty(m)
     for k in range(m):
         length = norm(at(N, k))
-        length = length if length > SHEET * longest[k] else np.nan
+        longest = 2 * sums[k] if by_area else 2.0 * n
+        length = length if length > SHEET * longest else np.nan
         N[0, k], N[1, k], N[2, k] = divide(at(N, k), length)
     return N
 
@@ -83,13 +84,18 @@ def whitening(xyz):
     In these coordinates no direction of the ring is longer than another; those of another frame
     differ by a rotation. NaN where the ring's projection is a line, to FLAT.
     """
-    p, q, r = np.empty((3, xyz.shape[2]))
-    for k in range(len(p)):
-        x, y = xyz[0, :, k], xyz[1, :, k]
-        xx, xy, yy = (x * x).sum(), (x * y).sum(), (y * y).sum()
+    _, n, m = xyz.shape
+    p, q, r = np.empty(m), np.empty(m), np.empty(m)
+    for k in range(m):
+        xx = xy = yy = rest = 0.0
+        for i in range(n):
+            x, y = xyz[0, i, k], xyz[1, i, k]
+            xx, xy, yy = xx + x * x, xy + x * y, yy + y * y
         # From the remainders, since the difference of the sums cancels.
         slope = xy / xx
-        rest = ((y - slope * x) ** 2).sum()
+        for i in range(n):
+            remainder = xyz[1, i, k] - slope * xyz[0, i, k]
+            rest += remainder * remainder
         line = not xx / (xx + yy) * (rest / (xx + yy)) > FLAT**2
         p[k], r[k] = 1 / np.sqrt(xx), np.nan if line else 1 / np.sqrt(rest)
         q[k] = -slope * r[k]

@@ -106,9 +106,15 @@ def _ring(e, exact_normals, floors):
             degenerate += 0 if proper else 1
     if degenerate > 0:
         for k in range(m):
-            if not math.isfinite(areas[:, k].sum()):
-                e[:, :, k] = facets[:, :, k] = np.nan
-                squares[:, k] = lengths[:, k] = areas[:, k] = dots[:, k] = np.nan
+            sum_of_areas = 0.0
+            for i in range(n):
+                sum_of_areas += areas[i, k]
+            if not math.isfinite(sum_of_areas):
+                for i in range(n):
+                    squares[i, k], lengths[i, k] = np.nan, np.nan
+                    areas[i, k], dots[i, k] = np.nan, np.nan
+                    for c in range(3):
+                        e[c, i, k], facets[c, i, k] = np.nan, np.nan
     return Ring(e, exact_normals, squares, lengths, facets, areas, dots)
 
 
@@ -203,7 +209,8 @@ def following(x):
     n = len(x)
     out = np.empty_like(x)
     for i in range(n):
-        out[i] = x[(i + 1) % n]
+        for k in range(x.shape[1]):
+            out[i, k] = x[(i + 1) % n, k]
     return out
 
 

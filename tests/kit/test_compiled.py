@@ -34,7 +34,7 @@ def estimate(ring):
 RUN = """
 import sys, curvlib
 from curvlib.meshes.torus import torus
-mesh = torus(6)
+mesh = torus(6, "irregular")
 from curvlib.catalogue import estimators
 function = estimators.module(sys.argv[1]).estimate
 print(curvlib.__file__, curvlib.estimate(mesh, sys.argv[1]).K.sum())
@@ -211,6 +211,6 @@ def test_the_state_of_the_package_is_that_of_files_that_import_compiled(tmp_path
 
 @pytest.mark.parametrize("name", curvlib.estimators())
 def test_compiled_code_is_python_too(run, name):
-    mesh = torus(6)
+    mesh = torus(6, "irregular")
     expected = pytest.approx(curvlib.estimate(mesh, name).K.sum(), rel=1e-9)
     assert run(name, NUMBA_DISABLE_JIT="1") == (expected, "none")

@@ -1,0 +1,68 @@
+"""Values of options as compiled code compares them: by a number instead of letter by letter.
+
+Numba compiles 20 functions, in 1.5 s, to tell whether two strings are equal.
+"""
+
+import hashlib
+import operator
+
+from llvmlite import ir
+from numba.core import types, typing
+from numba.core.imputils import lower_builtin
+from numba.core.typing.templates import AbstractTemplate, infer_global
+from numba.extending import NativeValue, models, register_model, typeof_impl, unbox
+
+
+class Option(str):
+    """A string that compiled code takes as a number of its own, to be compared with literals.
+
+    Examples
+    --------
+    >>> Option("area") == "area"
+    True
+    """
+
+    __slots__ = ()
+
+    @property
+    def number(self) -> int:
+        """The same in every process, since compiled code that holds it is kept."""
+        return int.from_bytes(hashlib.sha256(self.encode()).digest()[:7])
+
+
+class _OptionType(types.Type):
+    def __init__(self):
+        super().__init__("Option")
+
+
+@typeof_impl.register(Option)
+def _typeof(value, context):
+    return _OptionType()
+
+
+@register_model(_OptionType)
+class _Model(models.PrimitiveModel):
+    def __init__(self, manager, of):
+        super().__init__(manager, of, ir.IntType(64))
+
+
+@unbox(_OptionType)
+def _unbox(of, obj, c):
+    number = c.pyapi.object_getattr_string(obj, "number")
+    value = c.pyapi.long_as_longlong(number)
+    c.pyapi.decref(number)
+    return NativeValue(value)
+
+
+@infer_global(operator.eq)
+class _Equal(AbstractTemplate):
+    def generic(self, args, kws):
+        if isinstance(args[0], _OptionType) and isinstance(args[1], types.StringLiteral):
+            return typing.signature(types.boolean, *args)
+        return None
+
+
+@lower_builtin(operator.eq, _OptionType, types.StringLiteral)
+def _equal(context, builder, sig, args):
+    number = Option(sig.args[1].literal_value).number
+    return builder.icmp_signed("==", args[0], args[0].type(number))
