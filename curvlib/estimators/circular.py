@@ -61,9 +61,7 @@ def estimate(ring, normal: Normal = "uniform", pairs: Pairs = "opposite"):
                     # circle's curvature vector, of which kn is the part along N_v (2.1).
                     nearest = (x * dx + y * dy + z * dz) / (xx + yy + dz * dz)
                     if row[k] == rows:
-                        fold(columns)
-                        for other in range(m):
-                            row[other] = min(row[other], 3)
+                        _make_room(columns, row)
                     r, row[k] = row[k], row[k] + 1
                     columns[0, r, k] = 1
                     columns[1, r, k] = (xx - yy) / (xx + yy)
@@ -76,6 +74,14 @@ def estimate(ring, normal: Normal = "uniform", pairs: Pairs = "opposite"):
     for k in range(m):
         B[k] = A[k] * A[k] - B[k] * B[k] - C[k] * C[k]
     return B, A
+
+
+@compiled
+def _make_room(columns, row):
+    """Fold columns (4, rows, m), and set row (m,), the number of rows that each system has."""
+    fold(columns)
+    for k in range(len(row)):
+        row[k] = min(row[k], 3)
 
 
 @compiled

@@ -22,12 +22,11 @@ class Option(str):
     True
     """
 
-    __slots__ = ()
-
-    @property
-    def number(self) -> int:
-        """The same in every process, since compiled code that holds it is kept."""
-        return int.from_bytes(hashlib.sha256(self.encode()).digest()[:7])
+    def __new__(cls, text):
+        option = super().__new__(cls, text)
+        # The same in every process, since compiled code that holds it is kept.
+        option.number = int.from_bytes(hashlib.sha256(text.encode()).digest()[:7])
+        return option
 
 
 class _OptionType(types.Type):
@@ -35,9 +34,12 @@ class _OptionType(types.Type):
         super().__init__("Option")
 
 
+OPTION = _OptionType()
+
+
 @typeof_impl.register(Option)
 def _typeof(value, context):
-    return _OptionType()
+    return OPTION
 
 
 @register_model(_OptionType)

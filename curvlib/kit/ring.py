@@ -104,18 +104,23 @@ def _ring(e, exact_normals, floors):
             proper = cc > sides * (FLAT**2 * sides + floors[k])
             areas[i, k] = np.sqrt(cc) / 2 if proper else np.nan
             degenerate += 0 if proper else 1
+    ring = Ring(e, exact_normals, squares, lengths, facets, areas, dots)
     if degenerate > 0:
+        sums = total(areas)
         for k in range(m):
-            sum_of_areas = 0.0
-            for i in range(n):
-                sum_of_areas += areas[i, k]
-            if not math.isfinite(sum_of_areas):
-                for i in range(n):
-                    squares[i, k], lengths[i, k] = np.nan, np.nan
-                    areas[i, k], dots[i, k] = np.nan, np.nan
-                    for c in range(3):
-                        e[c, i, k], facets[c, i, k] = np.nan, np.nan
-    return Ring(e, exact_normals, squares, lengths, facets, areas, dots)
+            if not math.isfinite(sums[k]):
+                _undefine(ring, k)
+    return ring
+
+
+@compiled
+def _undefine(ring, k):
+    """Set ring k of the batch to NaN."""
+    for i in range(len(ring.areas)):
+        ring.squares[i, k], ring.lengths[i, k] = np.nan, np.nan
+        ring.areas[i, k], ring.dots[i, k] = np.nan, np.nan
+        for c in range(3):
+            ring.e[c, i, k], ring.facets[c, i, k] = np.nan, np.nan
 
 
 @compiled
