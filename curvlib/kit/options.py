@@ -29,6 +29,11 @@ class Option(str):
         return option
 
 
+def as_options(chosen):
+    """Options by name, whose values are Option where they are strings."""
+    return {name: Option(x) if isinstance(x, str) else x for name, x in chosen.items()}
+
+
 class _OptionType(types.Type):
     def __init__(self):
         super().__init__("Option")
