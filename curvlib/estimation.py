@@ -110,8 +110,8 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     >>> curvlib.estimate(tetrahedron, "gauss_bonnet").K.round(4)
     array([0.9069, 0.9069, 0.9069, 0.9069])
     """
+    from .kit.batch import gather
     from .kit.options import as_options
-    from .kit.ring import gather
 
     _keep_pages()
     mesh = as_mesh(mesh)
@@ -165,7 +165,7 @@ class _Found:
 
     def scatter(self, returned, at, start, end, unit):
         """Write what was returned for the vertices at[start:end], lengths multiplied by `unit`."""
-        from .kit.ring import scatter
+        from .kit.batch import scatter
 
         for name, values in self._checked(returned, end - start).items():
             target = self._target(name, values.ndim)

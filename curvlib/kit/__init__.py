@@ -6,6 +6,7 @@ nothing else of curvlib, and what is here keeps its names and meaning between mi
 `compiled`  the decorator that has Numba compile a function, and keeps the result
 `vectors`   triples of numbers: dot, cross, norm
 `ring`      batches of closed one-rings in the paper's letters: e_i, alpha_i, beta_i
+`batch`     rings gathered from the vertices of a mesh, values scattered to them
 `frame`     their normal N_v, coordinates in the tangent plane and normal curvatures kn_i
 `fit`       batches of small least-squares problems
 `tensor`    from a second fundamental form, a graph or K and H to K, H, k1, k2, d1, d2

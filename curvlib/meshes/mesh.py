@@ -128,8 +128,8 @@ class Mesh:
 
     @cached_property
     def unit(self) -> float:
-        """The power of two that its rings' lengths are multiplied by: see curvlib.kit.ring.unit."""
-        from ..kit.ring import unit
+        """The power of two that lengths of its rings are multiplied by (curvlib.kit.batch.unit)."""
+        from ..kit.batch import unit
 
         return unit(self.vertices)
 

@@ -9,7 +9,8 @@ import curvlib
 from curvlib.catalogue import estimators as catalogue
 from curvlib.claims.cell import NINE as PAPER
 from curvlib.estimation import readings
-from curvlib.kit.ring import alpha, beta, one_ring, total_angle, unit
+from curvlib.kit.batch import unit
+from curvlib.kit.ring import alpha, beta, one_ring, total_angle
 from curvlib.meshes import corners
 
 
@@ -155,8 +156,7 @@ def test_sheets(thickness):
     faces = np.vstack((faces, below[faces][:, ::-1]))
     rim = np.flatnonzero(~inside)
     # Elsewhere, next to the corners, four faces share an edge.
-    inner = np.r_[inside, np.ones(len(vertices) - len(top), bool)]
-    thick = np.isin(rim, faces[inner[faces].any(1)])
+    thick = curvlib.Mesh(vertices, faces).closed[rim]
     for sign, turned in ((1, faces), (-1, faces[:, ::-1])):
         for _ in range(10):
             q, _ = np.linalg.qr(rng.normal(size=(3, 3)))
