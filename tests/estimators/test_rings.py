@@ -3,7 +3,6 @@
 import mpmath
 import numpy as np
 import pytest
-import reference
 
 import curvlib
 from curvlib.catalogue import estimators as catalogue
@@ -11,46 +10,6 @@ from curvlib.claims.cell import NINE as PAPER
 from curvlib.estimation import readings
 from curvlib.kit.batch import unit
 from curvlib.kit.ring import alpha, beta, one_ring, total_angle
-from curvlib.meshes import corners
-
-
-def test_rings_of_broken_meshes_are_those_of_a_plain_walk():
-    """Turned, doubled, missing, degenerate and stray faces, vertex by vertex."""
-    rng = np.random.default_rng(8)
-    closed = curvlib.tessellate(curvlib.surface("sphere"), 4, "random", seed=3)
-    count = len(closed.vertices)
-    for _ in range(60):
-        faces = np.delete(closed.faces, rng.integers(len(closed.faces), size=2), axis=0)
-        faces[rng.integers(len(faces))] = faces[rng.integers(len(faces)), ::-1]
-        faces[rng.integers(len(faces)), rng.integers(3)] = rng.integers(count)
-        faces = np.vstack((faces, faces[:1], rng.integers(0, count, (rng.integers(3), 3))))
-        found = {
-            int(v): neighbours[:, k].tolist()
-            for vertices, neighbours in curvlib.Mesh(closed.vertices, faces).rings
-            for k, v in enumerate(vertices)
-        }
-        expected = {v: reference.ring_of(faces[(faces == v).any(1)], v) for v in range(count)}
-        assert found == {v: ring for v, ring in expected.items() if ring is not None}
-
-
-def test_a_table_sorts_corners_as_a_search_does():
-    """Of rings, and of pairs that make none: repeated, missing, of one vertex, in two cycles."""
-    rng = np.random.default_rng(1)
-    closed = 0
-    for _ in range(2000):
-        n = rng.integers(3, 9)
-        following = np.roll(np.arange(n), -1) if rng.random() < 0.7 else rng.integers(n, size=n)
-        pairs = rng.permutation(np.arange(n) << 32 | following)
-        if rng.random() < 0.2:
-            pairs[0] = rng.choice(pairs)
-        searched, looked_up = pairs.copy(), pairs.copy()
-        whole = corners._sort(searched)
-        assert corners._sort_by_table(looked_up, np.full(n, -1, np.int32)) == whole
-        if whole:
-            np.testing.assert_array_equal(looked_up, searched)
-            assert searched[0] == pairs[0]
-        closed += whole
-    assert 500 < closed < 1900
 
 
 @pytest.mark.parametrize("n", [3, 63, 64, 200, 10000])
