@@ -26,9 +26,10 @@ class Estimates:
     def __init__(self, mesh, found: dict):
         """`found`: the arrays by name that the estimator returned."""
         self._mesh, self._found = mesh, found
-        undefined = np.full(len(mesh.vertices), np.nan)
-        self.K, self.H = found.get("K", undefined), found.get("H", undefined)
         self.d1, self.d2 = found.get("d1"), found.get("d2")
+        for name in ("K", "H"):
+            values = found.get(name)
+            setattr(self, name, np.full(len(mesh.vertices), np.nan) if values is None else values)
 
     @property
     def k1(self) -> np.ndarray:

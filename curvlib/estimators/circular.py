@@ -106,7 +106,7 @@ def _inverted(ring, N):
     return out
 
 
-@compiled
+@compiled(alone=True)
 def _limits(unit, pairs):
     """How pairs are chosen: those `steps` or more apart on the ring, and each (i, j) of which
     the cosine of the angle is at most limits[i] or limits[j], (n, m).
@@ -136,7 +136,7 @@ def _limits(unit, pairs):
     return n, limits
 
 
-@compiled
+@compiled(alone=True)
 def _at_least_three(unit, steps, limits):
     """The cosine up to which pairs join that are not chosen yet, (m,), so that there are CIRCLES:
     the next best and its ties, one after another; and how many circles that makes, (m,)."""

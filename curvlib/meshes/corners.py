@@ -19,7 +19,6 @@ from curvlib.parallel import for_each
 SHIFT = 14
 PART = 65536  # faces
 LAST = (1 << 32) - 1
-MOST = 1 << 31  # vertices, corners: rings hold int32
 # From this valence on the next pair is looked up in a hash table instead of in all pairs.
 MANY = 64
 
@@ -28,14 +27,9 @@ def one_rings(faces, total, threads: int = 1):
     """Closed one-rings of the vertices of faces (F, 3): list of (vertices (m,), neighbours (n, m)),
     int32, in batches of equal valence n.
 
-    `total`: the number of vertices. InputError where vertices or corners are more than int32
-    counts, or where a face refers to no vertex.
+    `total`: the number of vertices; Mesh sees to it that int32 counts them and the corners.
+    InputError where a face refers to no vertex.
     """
-    if max(total, 3 * len(faces)) > MOST:
-        raise InputError(
-            f"mesh: {total} vertices and {3 * len(faces)} corners (three a face), expected at most "
-            f"{MOST} of each"
-        )
     # One array type, so that one machine code serves all meshes.
     faces = faces.view()
     faces.flags.writeable = False

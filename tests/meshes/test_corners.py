@@ -126,15 +126,6 @@ def test_one_machine_code_for_arrays_that_may_and_may_not_be_written_to():
     assert len(getattr(corners._deal, "signatures", [])) == before
 
 
-def test_more_than_int32_counts_is_refused(monkeypatch):
-    faces, total = fan(5)
-    monkeypatch.setattr(corners, "MOST", 3 * len(faces))
-    one_rings(faces, 15)
-    for wrong in ((faces, 16), (np.vstack((faces, faces)), total)):
-        with pytest.raises(curvlib.InputError, match="expected at most 15 of each"):
-            one_rings(*wrong)
-
-
 def test_a_face_without_a_vertex_is_refused():
     faces, total = fan(5)
     for wrong in (-1, total):
