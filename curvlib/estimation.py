@@ -56,13 +56,14 @@ def _options(name, function):
     return options
 
 
-def check_options(estimator, options: dict, where: str = "") -> None:
-    """Raise InputError unless the estimator knows every option and its value."""
-    name, function = _resolved(estimator)
+def _chosen(name, function, options):
+    """All options of an estimator, defaults and all: each set of given ones would be compiled anew.
+    InputError for an option or a value that it does not know."""
     known = _options(name, function)
     for option, value in options.items():
-        check_name(f"option of {name}", option, known, where)
-        check_name(f"{option} of {name}", value, known[option], where)
+        check_name(f"option of {name}", option, known)
+        check_name(f"{option} of {name}", value, known[option])
+    return {option: values[0] for option, values in known.items()} | options
 
 
 def estimate(mesh, estimator, threads: int = 1, **options):
@@ -120,12 +121,10 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     several = isinstance(estimator, (list, tuple))
     found, of_mesh, of_ring = {}, [], []
     for each in estimator if several else [estimator]:
-        check_options(each, options)
         name, function = _resolved(each)
-        # All of them, since each set of given ones would be compiled anew.
-        chosen = {option: values[0] for option, values in readings(each).items()} | options
+        chosen = as_options(_chosen(name, function, options))
         found[each] = _Found(name, len(mesh.vertices))
-        task = (found[each], function, as_options(chosen))
+        task = (found[each], function, chosen)
         (of_mesh if takes_mesh(function) else of_ring).append(task)
 
     def store(given, at, start, end, tasks, unit):
@@ -133,7 +132,7 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             for target, function, chosen in tasks:
                 # Estimators from elsewhere get a copy: what they write, no other estimator sees.
-                shared = given is mesh or function.__module__.startswith(OURS)
+                shared = given is mesh or getattr(function, "__module__", "").startswith(OURS)
                 own = given if shared else type(given)(*map(np.copy, given))
                 target.scatter(function(own, **chosen), at, start, end, unit)
 
