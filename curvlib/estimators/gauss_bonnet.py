@@ -17,11 +17,45 @@ def estimate(
     area: Literal["third", "half", "mixed"] = "third",
     dihedral: Literal["signed", "unsigned", "as-printed"] = "signed",
 ):
-    """K by (3.12), H by (3.13).
+    """K = (2 pi - sum alpha_i) / (A / 3) (3.12) and H = sum |e_i| beta_i / (4 A / 3) (3.13).
 
-    `area="half"` divides (3.12) by A/2 as printed, and (3.13) by A/3 all the same.
-    `dihedral="as-printed"` multiplies |e_i| with the plain angle between N_i and N_{i+1}, which
-    is that of the next edge.
+    Parameters
+    ----------
+    ring : Ring
+        Batch of m closed one-rings of one valence n.
+    area : {"third", "half", "mixed"}
+        The cell of v: a third of the ring's area A, A/2 for K as printed (H keeps A/3), or the
+        mixed Voronoi cell of Meyer et al. (2003).
+    dihedral : {"signed", "unsigned", "as-printed"}
+        beta_i: the signed angle between the facets at e_i, its absolute value, or the absolute
+        angle at e_{i+1}.
+
+    Returns
+    -------
+    K, H : ndarray, (m,)
+        Pointwise, in 1/length^2 and 1/length, H > 0 where the surface bends away from its normal.
+        NaN: needs a closed one-ring.
+
+    Notes
+    -----
+    H is NaN where two facets fold onto each other (`curvlib.kit.ring.beta`).
+
+    Order: O(h^2) for K at valence 6 where e_i + e_{i+2} = e_{i+1}, as on a grid cut along one
+    diagonal; on other rings the error does not vanish (Borrelli, Cazals, Morvan 2003; Xu 2009).
+    Measured on shrinking rings, H behaves likewise.
+
+    Source: Surazhsky et al. (2003), section 3.3.
+
+    Examples
+    --------
+    >>> import curvlib
+    >>> octahedron = (
+    ...     [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]],
+    ...     [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
+    ...     + [[1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]],
+    ... )
+    >>> float(curvlib.estimate(octahedron, "gauss_bonnet", area="half").K[0].round(4))
+    1.2092
     """
     A = total(ring.areas)
     mixed, half, signed = area == "mixed", area == "half", dihedral == "signed"

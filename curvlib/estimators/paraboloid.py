@@ -16,12 +16,39 @@ STYLE = {"color": "#D55E00", "marker": "o", "linestyle": "-"}
 
 @compiled
 def estimate(ring, normal: Normal = "uniform"):
-    """K and H by (3.5) of z = a x^2 + b x y + c y^2 (3.4), least squares over the one-ring.
+    """K = 4 a c - b^2 and H = a + c (3.5) of z = a x^2 + b x y + c y^2 (3.4), fitted by least
+    squares to the one-ring in the canonical form (z is the depth below the tangent plane).
 
-    A ring that may leave the form undetermined is fitted in whitened coordinates, in which a long
-    triangle does not pass for a missing direction: singular values below CUTOFF times the largest
-    are cut off, and the form has the least Frobenius norm there. That does not depend on the
-    frame: hence the factor sqrt(2) at x y.
+    Parameters
+    ----------
+    ring : Ring
+        Batch of m closed one-rings of one valence n.
+    normal : {"uniform", "area", "exact"}
+        N_v: the mean of the facet normals (3.3), plain or weighted by area, or the mesh's own.
+
+    Returns
+    -------
+    K, H : ndarray, (m,)
+        Pointwise, in 1/length^2 and 1/length, H > 0 where the surface bends away from its normal.
+        NaN: needs a closed one-ring.
+
+    Raises
+    ------
+    InputError
+        normal="exact" and the mesh has no normals.
+
+    Notes
+    -----
+    A ring that may leave the form undetermined is whitened first: its coordinates are scaled by
+    the ring's second moments, so that a long triangle is not taken for a missing direction.
+    Singular values below CUTOFF times the largest are then cut off, and the form has the least
+    Frobenius norm. The factor sqrt(2) at x y makes that norm independent of the frame.
+
+    Order: O(h) on any ring that determines the form, with the exact normal (Cazals and Pouget
+    2005, degree 2). Measured on shrinking regular rings: O(h^2) for H from valence 4 on and for K
+    from 6 on. With a normal that is itself O(h) off, the error does not vanish on irregular rings.
+
+    Source: Surazhsky et al. (2003), section 3.1.
     """
     xyz = canonical(ring, unit_normal(ring, normal))
     (a, b, c), weak = regression(_columns(xyz), CUTOFF)
@@ -58,7 +85,7 @@ def _columns(xyz):
 
 @compiled
 def _whitened(xyz):
-    """K and H of the form of least norm in u = p x, v = q x + r y; overwrites x and y."""
+    """K and H of the minimum-norm form in u = p x, v = q x + r y; overwrites x and y."""
     p, q, r = whitening(xyz)
     for i in range(xyz.shape[1]):
         for k in range(xyz.shape[2]):

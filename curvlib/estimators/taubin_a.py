@@ -20,7 +20,36 @@ def estimate(
     normal: Normal = "uniform",
     principal: Principal = "corrected",
 ):
-    """(3.22) with w_i ~ angle(v_i, v, v_{i+1}), or ~ the angles on both sides of e_i."""
+    """K and H as in `taubin`, with weights by angle: constant integration of (3.22).
+
+    Parameters
+    ----------
+    ring : Ring
+        Batch of m closed one-rings of one valence n.
+    angles : {"one-sided", "centred"}
+        w_i ~ angle(v_i, v, v_{i+1}), or ~ the sum of the angles on both sides of e_i.
+    normal : {"uniform", "area", "exact"}
+        N_v: the mean of the facet normals (3.3), plain or weighted by area, or the mesh's own.
+    principal : {"corrected", "as-printed"}
+        k2 = 3 m22 - m11, or k2 = k1 as (3.21) is printed.
+
+    Returns
+    -------
+    K, H : ndarray, (m,)
+        Pointwise, in 1/length^2 and 1/length, H > 0 where the surface bends away from its normal.
+        NaN: needs a closed one-ring.
+
+    Raises
+    ------
+    InputError
+        normal="exact" and the mesh has no normals.
+
+    Notes
+    -----
+    Order: none proven. Measured as for `taubin`.
+
+    Source: Surazhsky et al. (2003), section 3.6.
+    """
     N = unit_normal(ring, normal)
     weights = alpha(ring) if angles == "one-sided" else with_preceding(alpha(ring))
     return from_tensor(weights, kn(ring, N), canonical(ring, N), principal)

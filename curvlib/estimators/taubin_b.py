@@ -20,7 +20,37 @@ def estimate(
     normal: Normal = "uniform",
     principal: Principal = "corrected",
 ):
-    """(3.22) with (kn_i + kn_{i+1}) / 2 for kn_i, weighted as in Taubin or as in Taubin A."""
+    """K and H as in `taubin`, with (kn_i + kn_{i+1}) / 2 in place of kn_i in (3.22).
+
+    Parameters
+    ----------
+    ring : Ring
+        Batch of m closed one-rings of one valence n.
+    weights : {"area", "angle"}
+        w_i as in `taubin` or as in `taubin_a`.
+    normal : {"uniform", "area", "exact"}
+        N_v: the mean of the facet normals (3.3), plain or weighted by area, or the mesh's own.
+    principal : {"corrected", "as-printed"}
+        k2 = 3 m22 - m11, or k2 = k1 as (3.21) is printed.
+
+    Returns
+    -------
+    K, H : ndarray, (m,)
+        Pointwise, in 1/length^2 and 1/length, H > 0 where the surface bends away from its normal.
+        NaN: needs a closed one-ring.
+
+    Raises
+    ------
+    InputError
+        normal="exact" and the mesh has no normals.
+
+    Notes
+    -----
+    Order: none proven. Measured on shrinking regular rings from valence 4 on: O(h^2) for H; the
+    error of K does not vanish, and on irregular rings neither does that of H.
+
+    Source: Surazhsky et al. (2003), section 3.6.
+    """
     N = unit_normal(ring, normal)
     w = with_preceding(ring.areas) if weights == "area" else alpha(ring)
     curvature = kn(ring, N)

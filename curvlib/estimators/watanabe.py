@@ -20,10 +20,35 @@ def estimate(
     normal: Normal = "area",
     angles: Literal["spatial", "projected"] = "spatial",
 ):
-    """H by (3.17) and K by (3.18), the trapezoid rule for the integrals (3.14).
+    """H = sum w_i kn_i / (2 pi) (3.17) and K = 3 H^2 - sum w_i kn_i^2 / pi (3.18): the trapezoidal
+    rule for the integrals (3.14), w_i = (phi_{i-1} + phi_i) / 2.
 
-    phi_i = angle(v_i, v, v_{i+1}), in space or between the tangent directions (3.23), so that
-    the weight of kn_i is (phi_{i-1} + phi_i) / 2.
+    Parameters
+    ----------
+    ring : Ring
+        Batch of m closed one-rings of one valence n.
+    normal : {"area", "uniform", "exact"}
+        N_v: the mean of the facet normals (3.3), weighted by area or plain, or the mesh's own.
+    angles : {"spatial", "projected"}
+        phi_i = angle(v_i, v, v_{i+1}), in space, or between the tangent directions (3.23).
+
+    Returns
+    -------
+    K, H : ndarray, (m,)
+        Pointwise, in 1/length^2 and 1/length, H > 0 where the surface bends away from its normal.
+        NaN: needs a closed one-ring.
+
+    Raises
+    ------
+    InputError
+        normal="exact" and the mesh has no normals.
+
+    Notes
+    -----
+    Order: none proven. Measured on shrinking regular rings: O(h^2) for H from valence 4 on and for
+    K from 6 on; on irregular rings the error does not vanish, even with exact normals.
+
+    Source: Surazhsky et al. (2003), section 3.4, after Watanabe and Belyaev (2001).
     """
     N = unit_normal(ring, normal)
     phi = alpha(ring) if angles == "spatial" else between(canonical(ring, N))
@@ -32,7 +57,7 @@ def estimate(
 
 @compiled
 def by_trapezoids(phi, curvature):
-    """K and H of curvatures in directions that are angles phi (n, m) apart."""
+    """K and H (m,) of normal curvatures (n, m) in directions at angles phi_i (n, m) to the next."""
     n, m = phi.shape
     mean, mean_square = np.zeros(m), np.zeros(m)
     for i in range(n):
@@ -61,7 +86,7 @@ def between(along):
             x, y, x1, y1 = along[0, i, k], along[1, i, k], along[0, j, k], along[1, j, k]
             # In the canonical frame, seen along -N, the ring runs counter-clockwise about N.
             cosine, sine = x * x1 + y * y1, x * y1 - y * x1 + 0.0
-            # arctan2(sine, cosine), in half its time; pi where sine is a zero, of which no sign
-            # is left.
+            # arctan2(sine, cosine) in half its time. The + 0.0 above turns a sine of -0 into 0,
+            # so that opposite directions are pi apart, never -pi.
             out[i, k] = math.copysign(math.pi / 2, sine) - math.atan(cosine / sine)
     return out

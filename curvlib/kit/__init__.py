@@ -1,7 +1,7 @@
-"""What an estimator is written with: arrays in, arrays out; no mesh, no file.
+"""Building blocks of estimators: arrays in, arrays out; no mesh, no file.
 
-This room is public: a file of estimators imports from here and from other estimators, from
-nothing else of curvlib, and what is here keeps its names and meaning between minor versions.
+This room is public: an estimator imports from here and from other estimators, nothing else of
+curvlib, and names and meaning here do not change between minor versions.
 
 `compiled`  the decorator that has Numba compile a function, and keeps the result
 `vectors`   triples of numbers: dot, cross, norm
@@ -13,6 +13,6 @@ nothing else of curvlib, and what is here keeps its names and meaning between mi
 
 Arrays are component first, vector lanes last: (3, n, m) holds n edge vectors of m rings, so that
 loops over m run through contiguous memory. Lengths are in the unit of the mesh, angles in
-radians; normal curvature is positive where the surface bends away from its normal; what is
-undefined is NaN.
+radians; normal curvature is positive where the surface bends away from its normal; undefined is
+NaN.
 """

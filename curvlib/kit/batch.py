@@ -1,4 +1,4 @@
-"""From the vertices of a mesh to a batch of one-rings, and back from values to the vertices."""
+"""Gather one-rings from the vertices of a mesh, scatter values to the vertices."""
 
 import math
 
@@ -7,34 +7,47 @@ import numpy as np
 from .compiled import compiled
 from .ring import ROUNDING, owning_ring
 
-# The coordinates of float32 files need no scaling: fifth powers of lengths stay within float64.
+# Coordinates within the range of float32 are not scaled: fifth powers of lengths fit float64.
 RANGE = 2.0**128
 SMALLEST = np.finfo(float).tiny
 
 
 def unit(vertices) -> float:
-    """The power of two that coordinates are multiplied by, so that no product of lengths
-    overflows or underflows: exact, and 1 where the largest lies between 3e-39 and 3e38.
+    """The power of two by which coordinates are multiplied, so that no product of lengths
+    overflows or underflows.
 
     Parameters
     ----------
-    vertices : (V, 3)
+    vertices : ndarray of float64, (V, 3)
         Coordinates of the mesh, finite.
+
+    Returns
+    -------
+    float
+        1 where the largest absolute coordinate lies between 3e-39 and 3e38, or is zero.
+
+    Examples
+    --------
+    >>> unit(np.array([[0.0, 1.0, 2.0]]))
+    1.0
+    >>> unit(np.array([[0.0, 0.0, 2.0**200]])) == 2.0**-201
+    True
     """
     largest = max(vertices.max(), -vertices.min()) if len(vertices) else 0.0
     if largest == 0 or 1 / RANGE <= largest <= RANGE:
         return 1.0
-    # Halved, since the inverse of the smallest float64 numbers is none.
+    # At most 2^1023: the inverse of a subnormal number is no float64.
     return math.ldexp(1.0, min(-math.frexp(largest)[1], 1023))
 
 
 @compiled
 def gather(vertices, normals, centres, neighbours, start, end, unit):
-    """The Ring of the vertices centres[start:end].
+    """Gather the Ring of the vertices centres[start:end].
 
     Parameters
     ----------
     vertices : (V, 3)
+        Coordinates, in the unit of the mesh.
     normals : (V, 3) or (0, 3)
         Unit normals of the surface at the vertices, where the mesh has them.
     centres : (M,) int32
@@ -45,11 +58,15 @@ def gather(vertices, normals, centres, neighbours, start, end, unit):
         Which of the M.
     unit : float
         `unit(vertices)`: lengths of the Ring are multiplied by it.
+
+    Returns
+    -------
+    Ring
     """
     n, m = len(neighbours), end - start
     e, v, floors = np.empty((3, n, m)), np.empty((3, m)), np.empty(m)
     for k in range(m):
-        # Unsigned: no test for negative indices.
+        # Unsigned indices spare the test for negative ones.
         row = np.uint64(centres[start + k])
         v[0, k], v[1, k], v[2, k] = vertices[row, 0], vertices[row, 1], vertices[row, 2]
     for i in range(n):
@@ -69,11 +86,25 @@ def gather(vertices, normals, centres, neighbours, start, end, unit):
 
 @compiled
 def scatter(values, centres, start, target, unit, power):
-    """Set target[centres[start:start + m]] to values (m,), turned into the unit of the mesh.
+    """Scatter values (m,) to target[centres[start:start + m]], in the unit of the mesh.
 
-    The only place that makes NaN of undefined values: infinite ones, and those that are no normal
-    float64 numbers in the unit of the mesh. `power`: of the length that values are divided by,
-    two for K and one for H.
+    The only place that turns undefined values into NaN: infinite ones, and those that are
+    subnormal or underflow in the unit of the mesh.
+
+    Parameters
+    ----------
+    values : (m,)
+        In the unit of the Ring.
+    centres : (M,) int32
+        Vertices.
+    start : int
+        Place of the first of the m in `centres`.
+    target : (V,)
+        Written to.
+    unit : float
+        As in `gather`.
+    power : int
+        Of 1/length that the values scale with: 2 for K, 1 for H, 0 for directions.
     """
     for k in range(len(values)):
         value = values[k]

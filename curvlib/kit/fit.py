@@ -1,8 +1,9 @@
 """Linear least squares with three unknowns, for batches of small systems.
 
-R of a QR decomposition is kept as sqrt(D) U, with D (3, m) diagonal and U (3, 4, m) of unit
-diagonal, whose fourth column is the right-hand side. Modified Gram-Schmidt is as stable with that
-as Householder's reflections, and the condition number is not squared as by normal equations.
+R = sqrt(D) U with diagonal D (3, m) and unit upper triangular U (3, 4, m), whose fourth column is
+the right-hand side: no square roots in the loop. Modified Gram-Schmidt with an appended right-hand
+side is as stable as Householder reflections, and does not square the condition number as normal
+equations do.
 """
 
 import math
@@ -11,26 +12,29 @@ import numpy as np
 
 from .compiled import compiled
 
-# Singular values below this fraction of the largest count as zero in a fit to the neighbours of a
-# vertex. The rounding of float32 files and of printed decimals makes up to 1e-4 of a direction
-# that no neighbour determines; 1e-2 changes errors on smooth meshes.
+# In a fit to the neighbours of a vertex, singular values below this fraction of the largest count
+# as zero. Rounding to float32 or to printed decimals gives a direction that no neighbour determines
+# a singular value of up to 1e-4; a cut-off of 1e-2 changes errors on smooth meshes.
 CUTOFF = 1e-3
-SWEEPS = 8  # convergence is quadratic: of three columns, five leave rounding alone
+SWEEPS = 8  # Jacobi converges quadratically: five reach rounding for three columns
 
 
 @compiled
 def least_squares(columns, cutoff):
-    """Minimum-norm x (3, m) that minimises |c_0 x_0 + c_1 x_1 + c_2 x_2 - c_3|.
-
-    NaN in a system makes its solution NaN.
+    """Minimum-norm solutions of m systems: x minimises |c_0 x_0 + c_1 x_1 + c_2 x_2 - c_3|.
 
     Parameters
     ----------
     columns : (4, rows, m)
         c_0 to c_3, one system per entry of the last axis; overwritten.
     cutoff : float
-        Singular values below this fraction of the largest count as zero, so that a direction
-        which the rows leave undetermined contributes nothing.
+        Singular values below this fraction of the largest count as zero: a direction that the
+        rows do not determine contributes nothing.
+
+    Returns
+    -------
+    (3, m)
+        NaN for a system with a NaN.
     """
     D, U = _factors(columns)
     x = _back_substituted(D, U)
@@ -41,16 +45,34 @@ def least_squares(columns, cutoff):
 
 @compiled
 def regression(columns, cutoff):
-    """The solution x (3, m) as by `least_squares` without a cut-off, and the indices of the systems
-    that may have a singular value below `cutoff` times the largest."""
+    """Least-squares solutions without a cut-off, and the systems that may need one.
+
+    Parameters
+    ----------
+    columns : (4, rows, m)
+        As in `least_squares`; overwritten.
+    cutoff : float
+        As in `least_squares`.
+
+    Returns
+    -------
+    x : (3, m)
+    weak : (w,) int
+        Indices of the systems that may have a singular value below `cutoff` times the largest.
+    """
     D, U = _factors(columns)
     return _back_substituted(D, U), _weak(D, U, cutoff)
 
 
 @compiled
 def fold(columns):
-    """Replace each system of columns (4, rows, m) by three rows, at the beginning, that have the
-    same least-squares solution, and zeros."""
+    """Replace each system by three rows with the same least-squares solution, R of its QR.
+
+    Parameters
+    ----------
+    columns : (4, rows, m)
+        As in `least_squares`; on return the first three rows hold R, the others zeros.
+    """
     D, U = _factors(columns)
     _, rows, m = columns.shape
     for i in range(4):
@@ -67,10 +89,10 @@ def fold(columns):
 
 @compiled
 def _factors(columns):
-    """D and U of columns (4, rows, m), which are overwritten."""
+    """D and U of columns (4, rows, m), overwritten."""
     _, rows, m = columns.shape
     D, U = np.zeros((3, m)), np.zeros((3, 4, m))
-    # Products with a column are summed while the columns before it are taken out.
+    # One pass over the rows both orthogonalises to a column and sums products with the next.
     for row in range(rows):
         for k in range(m):
             a, b, c, z = (
@@ -118,8 +140,8 @@ def _back_substituted(D, U):
 
 @compiled
 def _weak(D, U, cutoff):
-    """The systems that |det R| / |R|^3, a lower bound of the smallest singular value over the
-    largest, does not show to be above the cut-off."""
+    """The systems whose |det R| / |R|^3, a lower bound of the ratio of the smallest singular value
+    to the largest, is not above the cut-off."""
     weak = np.empty(D.shape[1], np.bool_)
     for k in range(len(weak)):
         squares = D[0, k] * (1 + U[0, 1, k] ** 2 + U[0, 2, k] ** 2)
@@ -139,10 +161,10 @@ def _divide(products, squares):
 
 @compiled
 def _truncated(D, U, k, x, cutoff):
-    """Sets x[:, k] from the singular values of R above the cut-off.
+    """Set x[:, k] from the singular values of R above the cut-off.
 
-    Rotations of pairs of columns make R V orthogonal (one-sided Jacobi: Hestenes 1958), and its
-    columns as long as the singular values.
+    One-sided Jacobi (Hestenes 1958): rotations V make the columns of R V orthogonal; their lengths
+    are the singular values.
     """
     R, V, y = np.zeros((3, 3)), np.eye(3), np.empty(3)
     for i in range(3):
@@ -176,7 +198,7 @@ def _truncated(D, U, k, x, cutoff):
     largest = max(squares[0], squares[1], squares[2])
     x[0, k], x[1, k], x[2, k] = 0.0, 0.0, 0.0
     for j in range(3):
-        # Times zero below the cut-off, which keeps NaN.
+        # Below the cut-off times zero instead of skipped, so that NaN stays NaN.
         inverse = 1 / squares[j] if squares[j] > cutoff**2 * largest else 0.0
         for i in range(3):
             x[i, k] += V[i, j] * (projections[j] * inverse)

@@ -16,10 +16,24 @@ Normal = Literal["uniform", "area", "exact"]
 
 @compiled
 def unit_normal(ring, kind):
-    """N_v, (3, m) unit: mean of the facet normals (3.3), plain or by area, or the exact one.
+    """The unit normal N_v of each ring (3.3).
 
-    NaN where the facet normals cancel, to a sum below SHEET of that of their lengths.
-    InputError for "exact" where the mesh has no normals.
+    Parameters
+    ----------
+    ring : Ring
+    kind : {"uniform", "area", "exact"}
+        Mean of the facets' unit normals, mean weighted by area, or `ring.exact_normals`.
+
+    Returns
+    -------
+    (3, m)
+        NaN where the facet normals cancel: their sum is shorter than SHEET times the sum of their
+        lengths.
+
+    Raises
+    ------
+    InputError
+        "exact", and the mesh has no normals.
     """
     n, m = ring.areas.shape
     if kind == "exact":
@@ -33,7 +47,7 @@ def unit_normal(ring, kind):
         for k in range(m):
             weight = 1.0 if by_area else 1 / areas[i, k]
             N[0, k], N[1, k], N[2, k] = add(at(N, k), weight, at(facets, i, k))
-    # A facet is twice its area long.
+    # |e_i x e_{i+1}| is twice the area.
     sums = total(areas) if by_area else np.empty(m)
     for k in range(m):
         length = norm(at(N, k))
@@ -45,12 +59,20 @@ def unit_normal(ring, kind):
 
 @compiled
 def canonical(ring, N):
-    """x, y, z of the canonical form, (3, n, m): the neighbours with v at the origin and -N_v
-    along the z axis.
+    """The canonical form: the neighbours with v at the origin and -N_v along the z axis.
 
-    The paper's form, turned over: z is the depth below the tangent plane, so that a surface
-    which bends away from its normal has positive curvature. (x, y) is along T_i of (3.23), and
-    not of length one.
+    Parameters
+    ----------
+    ring : Ring
+    N : (3, m)
+        Unit normals.
+
+    Returns
+    -------
+    (3, n, m)
+        x, y, z of each v_i. z is the depth below the tangent plane, so that a surface that bends
+        away from its normal has positive curvature: the paper's form, turned over. (x, y) is a
+        multiple of T_i (3.23).
     """
     _, n, m = ring.e.shape
     X, Y = _tangents(N)
@@ -66,8 +88,19 @@ def canonical(ring, N):
 
 @compiled
 def kn(ring, N):
-    """Normal curvature towards each v_i (3.16), (n, m); positive where the surface bends away
-    from its normal."""
+    """Normal curvature towards each v_i, kn_i = -2 e_i . N / |e_i|^2 (3.16).
+
+    Parameters
+    ----------
+    ring : Ring
+    N : (3, m)
+        Unit normals.
+
+    Returns
+    -------
+    (n, m)
+        In 1/length, positive where the surface bends away from its normal.
+    """
     e, squares = ring.e, ring.squares
     out = np.empty_like(squares)
     for i in range(out.shape[0]):
@@ -78,11 +111,19 @@ def kn(ring, N):
 
 @compiled
 def whitening(xyz):
-    """p, q and r, (m,) each, such that sum u_i^2 = sum v_i^2 = 1 and sum u_i v_i = 0 for
-    u = p x, v = q x + r y, of neighbours in the canonical form (3, n, m).
+    """The map u = p x, v = q x + r y that whitens each ring: sum u_i^2 = sum v_i^2 = 1 and
+    sum u_i v_i = 0.
 
-    In these coordinates no direction of the ring is longer than another; those of another frame
-    differ by a rotation. NaN where the ring's projection is a line, to FLAT.
+    Parameters
+    ----------
+    xyz : (3, n, m)
+        Neighbours in the canonical form.
+
+    Returns
+    -------
+    p, q, r : (m,)
+        In 1/length. Whitened coordinates of two frames differ by a rotation. r is NaN where the
+        ring's projection is a line to FLAT.
     """
     _, n, m = xyz.shape
     p, q, r = np.empty(m), np.empty(m), np.empty(m)
@@ -91,7 +132,7 @@ def whitening(xyz):
         for i in range(n):
             x, y = xyz[0, i, k], xyz[1, i, k]
             xx, xy, yy = xx + x * x, xy + x * y, yy + y * y
-        # From the remainders, since the difference of the sums cancels.
+        # Summed over the remainders: yy - xy^2 / xx cancels.
         slope = xy / xx
         for i in range(n):
             remainder = xyz[1, i, k] - slope * xyz[0, i, k]
@@ -104,9 +145,9 @@ def whitening(xyz):
 
 @compiled
 def _tangents(N):
-    """Two unit vectors (3, m) each that with N (3, m) make a right-handed frame.
+    """X and Y (3, m) of a right-handed orthonormal frame (X, Y, N).
 
-    Duff et al. 2017, Building an orthonormal basis, revisited (JCGT 6, 1).
+    Source: Duff et al. (2017), Building an orthonormal basis, revisited (JCGT 6, 1).
     """
     X, Y = np.empty_like(N), np.empty_like(N)
     for k in range(N.shape[1]):

@@ -1,10 +1,11 @@
-"""One-rings of vertices in the letters of the 2003 paper, and their quantities, compiled.
+"""One-rings of vertices and their quantities, in the letters of the 2003 paper.
 
 A Ring is a batch of m one-rings of equal valence n. Arrays are component first, (3, n, m), and
-the inner loop runs over the m rings, contiguous in memory, so that the compiler vectorises it.
+the inner loop runs over the m rings, contiguous in memory, which the compiler vectorises.
 The ring of v is v_0 ... v_{n-1}, counter-clockwise seen from the side the normal points to;
 indices are taken mod n. Angles are in radians, lengths in the unit of the mesh (see `batch.unit`).
-Functions read a ring and never write to it.
+Functions take a Ring, or an array `x` (n, m) of a value per edge or triangle, and never write to
+it. Each returns NaN for a ring with a degenerate triangle.
 """
 
 import math
@@ -15,14 +16,14 @@ import numpy as np
 from .compiled import compiled
 from .vectors import at, cross, dot
 
-# A triangle lower than this fraction of its sides is degenerate: float64 leaves its normal four
-# digits at most.
+# A triangle lower than this fraction of its sides is degenerate: its normal has at most four
+# correct digits in float64.
 FLAT = 1e-12
-# Likewise one lower than this fraction of |v|: 16 rounding errors of a coordinate, which shift the
-# height by a tenth of itself. A triangle with an edge as short is as low.
+# So is one lower than this fraction of |v|, 16 rounding errors of a coordinate: rounding changes
+# its height by a tenth. A triangle with an edge as short is as low.
 ROUNDING = 2.0**-49
-# A fold within this angle of pi, in radians, is a sheet without thickness: rounding decides
-# which side is the outer one, also of edges 1e6 times shorter than the coordinates are large.
+# A fold within this angle of pi, in radians, is a sheet without thickness: rounding decides which
+# side is the outer one, for edges down to 1e-6 of the largest coordinate.
 SHEET = 1e-9
 
 Ring = namedtuple("Ring", "e exact_normals squares lengths facets areas dots")
@@ -61,14 +62,18 @@ def one_ring(e, exact_normals):
         Edge vectors, counter-clockwise; copied.
     exact_normals : (3, m) or (3, 0)
         Unit normals of the surface, where they are known.
+
+    Returns
+    -------
+    Ring
     """
     return owning_ring(e.copy(), exact_normals, np.zeros(e.shape[2]))
 
 
 @compiled
 def owning_ring(e, exact_normals, floors):
-    """`one_ring` of edges that become the ring's own; floors (m,): the square of the height up to
-    which rounding decides the shape of a triangle."""
+    """As `one_ring`, without a copy of `e`; `floors` (m,): (ROUNDING |v|)^2, the square of the
+    height up to which rounding decides the shape of a triangle."""
     _, n, m = e.shape
     squares, lengths, areas, dots = np.empty((4, n, m))
     facets = np.empty((3, n, m))
@@ -116,7 +121,7 @@ def total(x):
 
 @compiled
 def weighted_total(weights, x):
-    """Sum over the ring, (m,), of the products of two (n, m)."""
+    """Sum over the ring, (m,), of weights (n, m) times x (n, m)."""
     out = np.zeros(x.shape[1])
     for i in range(len(x)):
         for k in range(x.shape[1]):
@@ -126,7 +131,7 @@ def weighted_total(weights, x):
 
 @compiled
 def with_preceding(x):
-    """x_{i-1} + x_i, (n, m): of triangles, the sum of the two that share e_i."""
+    """x_{i-1} + x_i, (n, m): for values of triangles, the sum over the two that share e_i."""
     out = np.empty_like(x)
     for i in range(len(x)):
         for k in range(x.shape[1]):
@@ -147,29 +152,32 @@ def following(x):
 
 @compiled
 def alpha(ring):
-    """alpha_i = angle(v_i, v, v_{i+1}) in [0, pi], (n, m)."""
+    """alpha_i = angle(v_i, v, v_{i+1}), (n, m), in [0, pi]."""
     out = np.empty_like(ring.areas)
     for i in range(len(out)):
         for k in range(out.shape[1]):
-            # arctan2(2 area, dot), in less time.
+            # arctan2(2 area, dot) by one arctangent: the area is not negative.
             out[i, k] = math.pi / 2 - math.atan(ring.dots[i, k] / (2 * ring.areas[i, k]))
     return out
 
 
 @compiled
 def total_angle(ring):
-    """Sum of all alpha_i, (m,): the argument of a product of complex numbers, from one
-    arctangent and the number of times that the product came across the real axis."""
+    """Sum of all alpha_i, (m,), in radians.
+
+    It is the argument of the product of the e_i . e_{i+1} + 1j |e_i x e_{i+1}|, from one
+    arctangent and the number of times that the product crosses the real axis.
+    """
     n, m = ring.dots.shape
     x, y, half_turns = np.ones(m), np.zeros(m), np.zeros(m)
     for i in range(n):
         for k in range(m):
-            # By |e_i|^2 instead of |e_i| |e_{i+1}|: around the ring their product is the same.
+            # Scaled by |e_i|^2 instead of |e_i| |e_{i+1}|, whose product around the ring is equal.
             scale = 1 / ring.squares[i, k]
             cosine, sine = scale * ring.dots[i, k], scale * (2 * ring.areas[i, k])
             turned = x[k] * sine + y[k] * cosine
             x[k] = x[k] * cosine - y[k] * sine
-            # One where the sign, also of a zero, changes.
+            # Add 1 where the sign, that of a zero included, changes.
             half_turns[k] += abs(math.copysign(0.5, turned) - math.copysign(0.5, y[k]))
             y[k] = turned
     for k in range(m):
@@ -179,20 +187,22 @@ def total_angle(ring):
 
 @compiled
 def beta(ring):
-    """Signed dihedral angle at e_i, between N_{i-1} and N_i, (n, m): convex positive, and NaN
-    where it is +-pi to SHEET, since a sheet without thickness has no outer side."""
+    """Signed dihedral angle at e_i, between N_{i-1} and N_i, (n, m), in (-pi, pi), convex positive.
+
+    NaN within SHEET of +-pi: a sheet without thickness has no outer side.
+    """
     e, lengths, facets = ring.e, ring.lengths, ring.facets
     n, m = lengths.shape
     tangent, turn, out = np.empty(m), np.empty(m), np.empty((n, m))
     for i in range(n):
         for k in range(m):
             before, facet = at(facets, i - 1, k), at(facets, i, k)
-            # Not |e_i| times the determinant of three edges, which cancels between slivers.
+            # The triple product of three edges is the same sine, but cancels between slivers.
             sine = -dot(at(e, i, k), cross(before, facet))
             cosine = lengths[i, k] * dot(before, facet)
             tangent[k] = sine / cosine
             turn[k] = math.copysign(math.pi, sine) if cosine < 0 else 0.0
-        # Apart from the rest, which is vectorised.
+        # Arctangents in a loop of their own leave the first one vectorised.
         for k in range(m):
             angle = math.atan(tangent[k]) + turn[k]
             out[i, k] = angle if abs(angle) < math.pi - SHEET else np.nan
@@ -201,7 +211,10 @@ def beta(ring):
 
 @compiled
 def mixed_area(ring):
-    """Mixed Voronoi cell of v (Meyer, Desbrun, Schroeder, Barr 2003, section 3.3), (m,)."""
+    """Area of the mixed Voronoi cell of v, (m,).
+
+    Source: Meyer, Desbrun, Schroeder, Barr (2003), section 3.3.
+    """
     n, m = ring.areas.shape
     out = np.zeros(m)
     for i in range(n):

@@ -1,4 +1,4 @@
-"""Curvatures from what is known: a second fundamental form, a parametrisation, a graph, K and H.
+"""Curvatures of a second fundamental form, a parametrisation, a graph, or K and H alone.
 
 Every function here keeps k1 >= k2, k1 k2 = K and k1 + k2 = 2 H, and turns (d1, d2, n) into a
 right-handed frame. A surface that bends away from its normal has positive curvature: the unit
@@ -20,7 +20,7 @@ At one point numbers and triples; of a batch of m arrays (m,) and, component fir
 stands for a quantity that is not estimated.
 """
 
-# Principal curvatures that agree to this part of the larger one are one value, without directions.
+# Principal curvatures that differ by less than this part of the larger are equal: an umbilic.
 UMBILIC = 1e-9
 
 
@@ -35,8 +35,8 @@ def from_form(a, b, c, e1, n, flat=0.0):
     e1, n : tuple of 3 floats
         Unit tangent and unit normal.
     flat : float
-        Curvatures below it are flat: it takes part in the test of k1 = k2, at most 1/size of the
-        surface.
+        Curvature below which the surface is flat, at most 1/size of the surface; it takes part in
+        the test for an umbilic.
 
     Returns
     -------
@@ -46,7 +46,7 @@ def from_form(a, b, c, e1, n, flat=0.0):
     H, half = (a + c) / 2, (a - c) / 2
     gap = math.sqrt(half * half + b * b)
     k1, k2 = H + gap, H - gap
-    # (half + gap, b) and (b, gap - half) both point along k1; of two the longer does not cancel.
+    # (half + gap, b) and (b, gap - half) both point along k1; the longer one does not cancel.
     x, y = (b, gap - half) if half < 0 else (half + gap, b)
     length = math.sqrt(x * x + y * y)
     if not gap > UMBILIC * max(abs(k1), abs(k2), flat):
@@ -74,8 +74,8 @@ def from_derivatives(S_u, S_v, S_uu, S_uv, S_vv, flat=0.0):
 
     Notes
     -----
-    The form is taken in the frame of S_u / |S_u| and n x S_u / |S_u|: there k1 - k2 is a length,
-    exact also where k1 = k2.
+    The form is taken in the orthonormal frame S_u / |S_u|, n x S_u / |S_u|, where k1 - k2 is a
+    square root of squares: no cancellation near umbilics. Source: do Carmo (1976), section 3.3.
     """
     n = cross(S_u, S_v)
     area, p = norm(n), norm(S_u)
@@ -110,7 +110,17 @@ def from_graph(p, q, r, s, t, X, Y, N):
 
 @compiled
 def batch(m):
-    """Curvatures of m points, not yet written: arrays (m,) and, for d1 and d2, (3, m)."""
+    """Curvatures of m points, uninitialised, to be set by `put`.
+
+    Parameters
+    ----------
+    m : int
+
+    Returns
+    -------
+    Curvatures
+        Arrays (m,); d1 and d2 (3, m).
+    """
     return Curvatures(
         np.empty(m), np.empty(m), np.empty(m), np.empty(m), np.empty((3, m)), np.empty((3, m))
     )
@@ -118,7 +128,16 @@ def batch(m):
 
 @compiled
 def put(curvatures, k, point):
-    """Write the Curvatures of a point to place k of a `batch`."""
+    """Write the Curvatures of a point to index k of a batch.
+
+    Parameters
+    ----------
+    curvatures : Curvatures
+        From `batch`; written to.
+    k : int
+    point : Curvatures
+        Of one point.
+    """
     curvatures.K[k], curvatures.H[k] = point.K, point.H
     curvatures.k1[k], curvatures.k2[k] = point.k1, point.k2
     for i in range(3):
@@ -126,10 +145,24 @@ def put(curvatures, k, point):
 
 
 def principal_values(K, H):
-    """k1 >= k2 with k1 k2 = K and k1 + k2 = 2 H, from arrays of K and H alone.
+    """k1 >= k2 with k1 k2 = K and k1 + k2 = 2 H, from K and H alone.
 
-    NaN where H^2 < K by more than rounding: no surface has such values, but estimators of K and
-    H that do not share a tensor come to them.
+    Parameters
+    ----------
+    K, H : array_like, (m,)
+        In 1/length^2 and 1/length.
+
+    Returns
+    -------
+    k1, k2 : ndarray, (m,)
+        In 1/length. NaN where H^2 < K by more than rounding: no surface has such values, but an
+        estimator that does not take K and H from one tensor may return them.
+
+    Examples
+    --------
+    >>> k1, k2 = principal_values([1.0, -1.0, 2.0], [1.0, 0.0, 1.0])
+    >>> k1, k2
+    (array([ 1.,  1., nan]), array([ 1., -1., nan]))
     """
     K, H = np.asarray(K, float), np.asarray(H, float)
     gap = H * H - K

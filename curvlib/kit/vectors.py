@@ -1,4 +1,7 @@
-"""Vectors as triples of numbers, in compiled loops."""
+"""Vectors as triples of numbers, in compiled loops.
+
+Here `a` and `b` are tuples of 3 floats, `x` is a float; `add` is the axpy of BLAS.
+"""
 
 import numpy as np
 
@@ -7,7 +10,7 @@ from .compiled import compiled
 
 @compiled
 def at(a, *index):
-    """The vector at an index of a component-first array (3, ...)."""
+    """Gather the vector at an index of a component-first array `a` (3, ...)."""
     return a[(0, *index)], a[(1, *index)], a[(2, *index)]
 
 
@@ -19,7 +22,7 @@ def add(a, x, b):
 
 @compiled
 def divide(a, x):
-    """a / x, by one division."""
+    """a / x, by one division and three products."""
     inverse = 1 / x
     return a[0] * inverse, a[1] * inverse, a[2] * inverse
 
@@ -33,7 +36,7 @@ def dot(a, b):
 @compiled
 def norm(a):
     """|a|."""
-    # NumPy's, also where the function runs as Python: dividing by it then is no error.
+    # np.sqrt returns a NumPy float also without Numba, and dividing by a zero one is no error.
     return np.sqrt(dot(a, a))
 
 
