@@ -1,4 +1,4 @@
-"""A folder of Python files is the list of what there is: one file, one estimator or surface."""
+"""Catalogues of estimators and surfaces: the listing of a folder, one file each."""
 
 import importlib
 import importlib.util
@@ -31,11 +31,24 @@ class Catalogue:
         self._shown = {}
 
     def names(self) -> list[str]:
-        """Names found in the folder, sorted."""
+        """Names of the files in the package's folder, sorted.
+
+        Returns
+        -------
+        list of str
+
+        Examples
+        --------
+        >>> import curvlib
+        >>> curvlib.estimators()[:3]
+        ['circular', 'gauss_bonnet', 'paraboloid']
+        >>> curvlib.surfaces()[:3]
+        ['cone', 'cone_apex', 'cylinder']
+        """
         return sorted(p.stem for p in self.folder.glob("*.py") if not p.stem.startswith("_"))
 
     def path(self, name: str) -> Path:
-        """The file behind a name; a path to a .py file outside the package stands for itself.
+        """The file behind a name; a path to a .py file outside the package is returned as it is.
 
         Raises InputError for an unknown name or a path that is not a file.
         """
@@ -52,12 +65,12 @@ class Catalogue:
         return self.folder / f"{name}.py"
 
     def module(self, name: str):
-        """The imported module behind a name or path, a path's as the file is now.
+        """The imported module behind a name or path; a changed file is imported again.
 
         Raises InputError as `path` does, and where the file fails or lacks its function.
         """
         if name in self._loaded:
-            # Without a look at the folder, which would cost more than a small mesh's estimate.
+            # Listing the folder would cost more than an estimate on a small mesh.
             return self._loaded[name]
         if _is_path(name):
             return self._from_elsewhere(name)
@@ -67,10 +80,10 @@ class Catalogue:
         return self._loaded[name]
 
     def modules(self, files: dict) -> dict:
-        """What the figures ask of the modules behind names or paths, by the same keys.
+        """The modules behind names or paths, by the same keys, with LABEL and STYLE for figures.
 
         A file without STYLE gets one by its position. Raises InputError as `module` does, for a
-        file without LABEL and for two of the same STYLE.
+        file without LABEL, and for two files of one STYLE.
         """
         found, given = {}, {}
         for position, (key, file) in enumerate(files.items()):
@@ -85,7 +98,7 @@ class Catalogue:
         return found
 
     def told(self, error: Exception) -> InputError | None:
-        """An exception that passed through a loaded file, in one line; None for any other.
+        """A one-line InputError for an exception raised in a loaded file; None for any other.
 
         The line number is that of the innermost frame in such a file; Numba's typing errors have
         no frame there, but name file and line in their message.
@@ -104,8 +117,8 @@ class Catalogue:
     def _from_elsewhere(self, name):
         """The module of a path, loaded again where the file has changed since."""
         path = os.path.abspath(os.path.expanduser(name))
-        # Named by its path: two strangers' files may share a stem, and compiled code that was
-        # kept looks for the module by its name.
+        # Named by its path: two strangers' files may share a stem, and Numba's kept code finds its
+        # module by name.
         key = f"{self.package}:{path}"
         try:
             stamp = os.stat(path).st_mtime_ns, os.stat(path).st_size
@@ -144,7 +157,7 @@ def _is_path(name):
 
 
 def _executed(key, path):
-    """The module of a file, never from its .pyc, which an edit within a second does not change."""
+    """The module of a file, from its source: a .pyc does not notice an edit within a second."""
     spec = importlib.util.spec_from_file_location(key, path)
     sys.modules[key] = module = importlib.util.module_from_spec(spec)
     try:
@@ -156,7 +169,7 @@ def _executed(key, path):
 
 
 def _style(position):
-    """The style of an estimator that names none; 60 of them differ."""
+    """The style of an estimator without STYLE; 60 positions differ."""
     return {
         "color": COLOURS[position % len(COLOURS)],
         "marker": MARKERS[position % len(MARKERS)],
@@ -170,10 +183,10 @@ def _lines_named(file, message):
 
 
 def _in_one_line(error):
-    """The first line of a message that says something."""
+    """The first informative line of a message."""
     text = error.msg if isinstance(error, SyntaxError) else str(error)
     lines = filter(None, map(str.strip, text.splitlines()))
-    # Numba says first in which pass it failed.
+    # Numba's first line names the pass that failed.
     return next((line for line in lines if not line.startswith("Failed in nopython mode")), "")
 
 

@@ -1,18 +1,29 @@
-"""What a user did wrong, said in one line."""
+"""Errors and warnings about a user's input, in one line."""
 
 from difflib import get_close_matches
 
 
 class InputError(ValueError):
-    """Bad input: the message names what is wrong, where, and what would be right."""
+    """Bad input. The message names the fault, its place, and the nearest valid value.
+
+    Examples
+    --------
+    >>> import curvlib
+    >>> try:
+    ...     curvlib.surface("spere")
+    ... except curvlib.InputError as error:
+    ...     print(str(error).partition(";")[0])
+    unknown surface 'spere'
+    """
 
 
 class MeshWarning(UserWarning):
-    """A mesh without values at many of its vertices: the message counts them and says why."""
+    """A mesh that leaves many vertices without a value, or values to rounding; the message counts
+    the vertices and names the causes."""
 
 
 def check_name(what: str, name: str, valid, where: str = "") -> None:
-    """Raise InputError unless `name` is in `valid`; name the valid one nearest to a string."""
+    """Raise InputError, with the nearest valid name, unless `name` is in `valid`."""
     valid = list(valid)
     if name in valid:
         return

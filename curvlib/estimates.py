@@ -1,4 +1,4 @@
-"""What an estimate comes to: the quantities at the vertices, and what is undefined and why."""
+"""The result of an estimate: the quantities at the vertices, and the causes of undefined ones."""
 
 import warnings
 from functools import cached_property
@@ -17,14 +17,32 @@ class Estimates:
         Gaussian and mean curvature, in 1/length^2 and 1/length; H > 0 where the surface bends
         away from its normal.
     k1, k2 : ndarray of float64, (V,)
-        Principal curvatures, k1 >= k2. Of an estimator of K and H alone they are
+        Principal curvatures in 1/length, k1 >= k2. For an estimator of K and H alone they are
         H +- sqrt(H^2 - K), NaN where H^2 < K.
     d1, d2 : ndarray of float64, (V, 3), or None
-        Their unit directions, where the estimator gives them.
+        Their unit directions; None where the estimator does not return them.
+    shape_index : ndarray of float64, (V,)
+        2/pi atan2(k1 + k2, k1 - k2) in [-1, 1]: +1 on a sphere with outward normals, 0 on a
+        symmetric saddle; NaN where k1 = k2 = 0.
+    curvedness : ndarray of float64, (V,)
+        sqrt((k1^2 + k2^2) / 2), in 1/length.
+    undefined : dict
+        Cause -> number of vertices with a NaN.
+
+    Examples
+    --------
+    >>> import curvlib
+    >>> mesh = curvlib.tessellate(curvlib.surface("cylinder"), 8)
+    >>> estimates = curvlib.estimate(mesh, "gauss_bonnet")
+    >>> estimates
+    <Estimates of K, H at 72 vertices>
+    >>> estimates.undefined
+    {'boundary': 16}
+    >>> K, H = estimates
     """
 
     def __init__(self, mesh, found: dict):
-        """`found`: the arrays by name that the estimator returned."""
+        """`found`: the arrays that the estimator returned, by name."""
         self._mesh, self._found = mesh, found
         self.d1, self.d2 = found.get("d1"), found.get("d2")
         for name in ("K", "H"):
@@ -43,8 +61,7 @@ class Estimates:
 
     @property
     def shape_index(self) -> np.ndarray:
-        """2/pi atan2(k1 + k2, k1 - k2), (V,), in [-1, 1]: +1 on a sphere, 0 on a symmetric
-        saddle; NaN where k1 = k2 = 0."""
+        """2/pi atan2(k1 + k2, k1 - k2), (V,), in [-1, 1]; NaN where k1 = k2 = 0."""
         k1, k2 = self._principal
         with np.errstate(invalid="ignore"):
             index = 2 / np.pi * np.arctan2(k1 + k2, k1 - k2)
@@ -57,7 +74,7 @@ class Estimates:
 
     @cached_property
     def undefined(self) -> dict[str, int]:
-        """How many vertices lack a value that the estimator gives elsewhere, by cause."""
+        """Cause -> number of vertices that lack a value which the estimator returns elsewhere."""
         lacking = np.zeros(len(self._mesh.vertices), dtype=bool)
         for values in self._found.values():
             lacking |= np.isnan(values.reshape(len(lacking), -1)).any(1)
@@ -94,7 +111,10 @@ def _causes(mesh, lacking):
 
 
 def warn_of_undefined(mesh, closed: int) -> None:
-    """Warn where `closed`, how many vertices have a closed ring, leaves much undefined."""
+    """Warn if fewer than half of the vertices have a closed ring, or some without one coincide.
+
+    `closed`: the number of vertices with a closed ring.
+    """
     count = len(mesh.vertices)
     if closed == count:
         return

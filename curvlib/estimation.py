@@ -1,4 +1,5 @@
-"""Estimates on a mesh: one-rings, in blocks that stay in cache, through an estimator's file."""
+"""Estimates on a mesh: gather one-rings in blocks that stay in cache, call the estimator, scatter
+its values."""
 
 import functools
 import inspect
@@ -14,22 +15,22 @@ from .estimates import Estimates, warn_of_undefined
 from .meshes.exchange import as_mesh
 from .parallel import for_each
 
-# Ring slots (valence times vertices) per block: some dozens of arrays of 192 KiB.
+# Ring slots (valence times vertices) per block: an array of a block takes 192 KiB.
 BLOCK = 24576
 OURS = f"{estimators.package}."
-# Of the length that a quantity is divided by.
+# Power of 1/length that each quantity scales with.
 POWERS = {"K": 2, "H": 1, "k1": 1, "k2": 1, "d1": 0, "d2": 0}
 
-# What an estimator can be given: the name of its first parameter.
+# Valid names of an estimator's first parameter, which say what it is given.
 GIVEN = ("ring", "mesh")
-# Parameters of `estimate` itself, which no option can be called.
+# Parameters of `estimate` itself: no option can have such a name.
 RESERVED = ("mesh", "estimator", "threads")
 
 
 def readings(estimator) -> dict[str, tuple]:
     """The options of an estimator: name -> valid values, the default first.
 
-    InputError where one of its parameters is no option with a default.
+    Raises InputError for a parameter without a default or with the name of one of `estimate`'s.
     """
     return dict(_options(*_resolved(estimator)))
 
@@ -72,34 +73,36 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     Parameters
     ----------
     mesh : Mesh, (vertices, faces), or a mesh of another library
-        Arrays (V, 3) and (F, 3), or what pyvista wraps into a triangle mesh. Point normals that
-        it carries serve readings with exact normals.
+        Arrays (V, 3) and (F, 3), a mesh of trimesh or meshio, or an object that pyvista wraps into
+        a triangle mesh. Its point normals are the exact normals of `normal="exact"`.
     estimator : str, path, callable, or a list of them
-        A name from `curvlib.estimators()`, a .py file like those, or a function like theirs. What
-        the members of a list share is computed once.
+        A name in `curvlib.estimators()`, the path of a .py file like those in
+        `curvlib/estimators`, or a function with the signature of their `estimate`. The estimators
+        of a list share the rings.
     threads : int
-        How many; no value depends on it.
+        Number of threads; values do not depend on it.
     **options
-        The readings, known to each of the estimators.
+        Options of the estimator, its readings; of a list, each member has to know them.
 
     Returns
     -------
     Estimates, or dict
-        Pointwise, H = +1 on the unit sphere. For a list a dict of Estimates by its members. NaN at
-        boundary vertices, where the triangles around a vertex do not close to one ring
-        (non-manifold or inconsistently oriented), and wherever an estimator comes to no finite
-        value: `Estimates.undefined` counts them by cause.
+        Pointwise, H = +1 on the unit sphere with outward normals. For a list, a dict from its
+        members to Estimates. NaN at boundary vertices, at vertices whose triangles do not close to
+        one ring (non-manifold or inconsistently oriented), and where the estimator has no finite
+        value; `Estimates.undefined` counts them by cause.
 
     Raises
     ------
     InputError
-        Unknown estimator or option, no triangle mesh, or an estimator that returns something else
-        than curvatures.
+        Unknown estimator or option, no triangle mesh, or an estimator that does not return
+        curvatures.
 
     Warns
     -----
     MeshWarning
-        No value at more than half of the vertices, or points that stand where another one does.
+        More than half of the vertices have no value, some vertices coincide, or float32
+        coordinates are coarse beside the edges.
 
     Examples
     --------
@@ -128,10 +131,10 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         (of_mesh if takes_mesh(function) else of_ring).append(task)
 
     def store(given, at, start, end, tasks, unit):
-        # Set here, since threads do not take it over from their caller.
+        # NumPy's error state is per thread.
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             for target, function, chosen in tasks:
-                # Estimators from elsewhere get a copy: what they write, no other estimator sees.
+                # A stranger's estimator gets a copy, lest others see what it writes to the ring.
                 shared = given is mesh or getattr(function, "__module__", "").startswith(OURS)
                 own = given if shared else type(given)(*map(np.copy, given))
                 target.scatter(function(own, **chosen), at, start, end, unit)
@@ -148,7 +151,7 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         normals = mesh.normals
         if normals is None:
             normals = np.empty((0, 3))
-            normals.flags.writeable = False  # one type of array, compiled once
+            normals.flags.writeable = False  # as those of a mesh: one type, compiled once
         rings = mesh.find_rings(threads)
         for_each(work, list(_blocks(rings)), threads)
         warn_of_undefined(mesh, sum(len(vertices) for vertices, _ in rings))
@@ -157,13 +160,13 @@ def estimate(mesh, estimator, threads: int = 1, **options):
 
 
 class _Found:
-    """What an estimator returned, scattered to the vertices: arrays by name."""
+    """The arrays that an estimator returned, by name, scattered to the vertices."""
 
     def __init__(self, name, count):
         self.name, self.count, self.arrays, self._lock = name, count, {}, threading.Lock()
 
     def scatter(self, returned, at, start, end, unit):
-        """Write what was returned for the vertices at[start:end], lengths multiplied by `unit`."""
+        """Scatter the values returned for the vertices at[start:end]; `unit` as in `gather`."""
         from .kit.batch import scatter
 
         for name, values in self._checked(returned, end - start).items():
@@ -172,14 +175,14 @@ class _Found:
                 scatter(component, at, start, column, unit, POWERS[name])
 
     def _target(self, name, dimensions):
-        with self._lock:  # the first block of any thread makes it
+        with self._lock:  # the first block to finish allocates
             if name not in self.arrays:
                 shape = (self.count, 3) if dimensions == 2 else self.count
                 self.arrays[name] = np.full(shape, np.nan)
         return self.arrays[name]
 
     def _checked(self, returned, count):
-        """Arrays (count,) or (3, count) by name; InputError where they are something else."""
+        """Arrays (count,) or (3, count) by name; InputError for anything else."""
         from .kit.tensor import Curvatures
 
         names = getattr(returned, "_fields", ("K", "H"))
@@ -213,7 +216,7 @@ def _blocks(rings):
     """Yield (batch, start, end): batches of one-rings, BLOCK slots at a time."""
     for batch in rings:
         vertices, neighbours = batch
-        # An odd multiple of a cache line, so that rows of arrays do not share a cache set.
+        # An odd multiple of a cache line: rows of an array fall into different cache sets.
         step = BLOCK // len(neighbours) // 16 * 16 + 8
         for start in range(0, len(vertices), step):
             yield batch, start, min(start + step, len(vertices))

@@ -43,11 +43,11 @@ DAMAGED = (
 
 @contextmanager
 def whole_file(path):
-    """A path to write to; the file moves to `path` at the end and is removed on an error.
+    """Yield a temporary path to write to; move it to `path` at the end, remove it on an error.
 
-    The folder of `path` is made if it does not exist. The temporary file keeps its name in a
-    folder of its own, so that two runs which write the same file do not meet. InputError where
-    the system refuses a file: disk full, no permission.
+    The folder of `path` is made if it does not exist. Each temporary file has a folder of its own,
+    so that two runs may write the same file. Raises InputError where the system refuses a file:
+    disk full, no permission.
     """
     path = Path(path)
     try:
@@ -66,9 +66,9 @@ def whole_file(path):
 
 @contextmanager
 def write_hdf5(path):
-    """An HDF5 file open for writing, built in memory; Python writes its bytes to `path`.
+    """Yield an HDF5 file in memory, open for writing; at the end Python writes it to `path`.
 
-    On a full disk HDF5 2.0 ends in a segmentation fault, Python in an OSError.
+    On a full disk HDF5 2.0 would end in a segmentation fault; Python raises OSError.
     """
     import h5py
 
@@ -81,7 +81,7 @@ def write_hdf5(path):
 
 @contextmanager
 def open_archive(path):
-    """A zip file open for reading; InputError where it is missing, cut off or no zip file."""
+    """Yield a zip file open for reading; InputError if it is missing, cut off or no zip file."""
     with _open(path) as raw:
         try:
             archive = ZipFile(raw)
@@ -93,10 +93,10 @@ def open_archive(path):
 
 @contextmanager
 def open_hdf5(path, member=None):
-    """An HDF5 file, or a member of an archive, open for reading.
+    """Yield an HDF5 file, or one that is a member of an archive, open for reading.
 
-    InputError where it is missing or damaged, or where reading from it fails. HDF5 takes no lock:
-    a file that another process has open is read as it is.
+    Raises InputError if it is missing or damaged, or if reading from it fails. HDF5 takes no lock:
+    a file that another process has open can be read.
     """
     import h5py
 
@@ -115,7 +115,7 @@ def open_hdf5(path, member=None):
 
 
 def no_such_file(path) -> str:
-    """What to say of a path where nothing is, with the nearest of the same kind beside it."""
+    """The message for a path that does not exist, with the nearest file of the same suffix."""
     path = Path(path)
     beside = sorted(p.name for p in path.parent.glob("*") if p.suffix == path.suffix)
     cutoff = 0.0 if path.suffix == ".zip" else 0.6  # An archive has few neighbours of its kind.

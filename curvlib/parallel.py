@@ -1,4 +1,4 @@
-"""One function on many items, by several threads: of use where it runs without Python's lock."""
+"""A parallel map over threads, for functions that release Python's lock."""
 
 from collections import deque
 from concurrent.futures import ThreadPoolExecutor
@@ -7,8 +7,7 @@ from itertools import pairwise
 
 
 def for_each(function, items, threads: int = 1) -> list:
-    """[function(item) for item in items], each item once; an error of any ends it, and no more
-    are begun."""
+    """[function(item) for item in items], each item once; after an error no item is begun."""
     count = len(items)
     threads = min(threads, count)
     if threads <= 1:
@@ -19,7 +18,7 @@ def for_each(function, items, threads: int = 1) -> list:
 
     def work(k):
         try:
-            # Neighbours in memory by one thread; then what is left of the shares of others.
+            # A thread works on adjacent items first, then steals from the other shares.
             for item in _taken(shares[k:] + shares[:k]):
                 results[item] = function(items[item])
         except BaseException:
@@ -36,8 +35,8 @@ def for_each(function, items, threads: int = 1) -> list:
 
 
 def _taken(shares):
-    """Yield what the shares still hold. No two threads take the same item, since popleft is atomic
-    with Python's lock and without; next() of a shared iterator is not."""
+    """Yield the remaining items of the shares. No two threads take the same item: popleft is atomic
+    with and without Python's lock; next() of a shared iterator is not."""
     for share in shares:
         with suppress(IndexError):  # the share is empty
             while True:

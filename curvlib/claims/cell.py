@@ -1,4 +1,4 @@
-"""What a claim looks at: the paper's nine estimators on one surface, cut and reading."""
+"""The evidence of a claim: the paper's nine estimators on one surface, cut and reading."""
 
 import functools
 from dataclasses import dataclass
@@ -14,14 +14,14 @@ TIE = 0.02  # errors within 2 % of each other are a tie
 
 
 def chosen(surfaces) -> list:
-    """Those of the SEVEN among `surfaces`, in the paper's order; all of them if there are none."""
+    """The SEVEN among `surfaces`, in the paper's order; if there are none, all of `surfaces`."""
     present = dict.fromkeys(surfaces)
     return [name for name in SEVEN if name in present] or list(present)
 
 
 @dataclass
 class Cell:
-    """One surface in one reading, the quantities being those of FAVOURITES.
+    """One surface, cut and reading; quantities are the keys of FAVOURITES.
 
     `diagonal`: how the surface is cut; `n` (r,) the resolutions; `mean` quantity -> mean errors
     (r, 9) of the NINE; `finest` (quantity, norm) -> (9,) at the largest n; `noise` quantity -> (9,)
@@ -39,8 +39,8 @@ class Cell:
 
     @functools.cached_property
     def ratios(self):
-        """Quantity -> its favourite's mean error over the least of the other eight (r,), and whose
-        that is (r,)."""
+        """Quantity -> the favourite's mean error over the least of the other eight (r,), and the
+        name of that other (r,)."""
         found = {}
         for quantity, favourite in FAVOURITES.items():
             mine, errors = NINE.index(favourite), self.mean[quantity]
@@ -55,7 +55,7 @@ class Cell:
 
 
 def tied_ranks(errors):
-    """Rank of each along the last axis: one more than how many are smaller by more than TIE."""
+    """Ranks along the last axis: 1 + the number of errors that are smaller by more than TIE."""
     smaller = errors[..., None, :] * (1 + TIE) < errors[..., :, None]
     return 1 + smaller.sum(-1)
 
@@ -65,10 +65,10 @@ def kendall(a, b):
     return _kendall(tuple(a), tuple(b))
 
 
-# Most readings share their rankings, and SciPy takes 0.2 ms for nine numbers.
+# Kept: most readings share their rankings, and SciPy takes 0.2 ms a pair.
 @functools.cache
 def _kendall(a, b):
     from scipy.stats import kendalltau
 
-    # SciPy divides twice: 0.5 comes out as 0.4999999999999999, below DIFFERENT.
+    # SciPy divides twice, so that 0.5 becomes 0.4999999999999999, below DIFFERENT.
     return round(float(kendalltau(a, b).statistic), 14)

@@ -1,4 +1,4 @@
-"""The claims' evidence, looked up in the published tables, and the verdicts it comes to."""
+"""Every claim decided from the published tables."""
 
 import numpy as np
 import pandas as pd
@@ -9,8 +9,8 @@ from .cell import FAVOURITES, NINE, SEVEN, Cell
 from .sentences import CLAIMS, Verdict, orders
 
 NOISE_SIGMA = 0.01
-QUADRIC = "quadric"  # in place of a surface: that of the shrinking rings
-BOTH = tuple(FAVOURITES)  # the quantities that the paper's claims are about
+QUADRIC = "quadric"  # in place of a surface: the quadrics of the shrinking rings
+BOTH = tuple(FAVOURITES)  # K and H
 NORMS = ("mean", "q95", "max")
 FIT = ["tail", "tail_stderr", "verdict"]
 
@@ -21,8 +21,8 @@ def decide(readings, variants, curves, noise, rings) -> pd.DataFrame:
     Parameters
     ----------
     readings, variants, curves, noise, rings : DataFrame
-        The tables of these names in `results/tables`, as `pandas.read_csv` reads them. Which
-        estimates a reading is made of, `readings` says; the others are by variant.
+        The tables of these names in `results/tables`, as `pandas.read_csv` reads them. `readings`
+        maps a reading to variants; the others have a row per variant.
 
     Returns
     -------
@@ -37,7 +37,7 @@ def decide(readings, variants, curves, noise, rings) -> pd.DataFrame:
 
 
 class _Evidence:
-    """The tables as look-ups by variant, from which any reading's cells are put together."""
+    """Look-ups by variant, from which the cells of any reading are assembled."""
 
     def __init__(self, variants, curves, noise, rings):
         full = variants[variants.full]
@@ -113,7 +113,7 @@ class _Evidence:
 
 
 def _present(curves, place, variants):
-    """(quantity, estimator) -> what the curves have there for a reading's variants."""
+    """(quantity, estimator) -> the fit of its curve at a place, for a reading's variants."""
     keys = {(q, e): (*place, q, e, variants.get(e)) for q in BOTH for e in NINE}
     return {short: curves[key] for short, key in keys.items() if key in curves}
 

@@ -1,7 +1,8 @@
-"""The paper's sentences as predicates on the tables, in our words; decided, never tuned to.
+"""The paper's sentences as predicates on the tables, in our words.
 
-Each claim looks at a Cell: one surface, cut in one way, in one reading. It comes to a Verdict:
-True, False or None (undecided), one number as its effect, and the evidence in words.
+Each predicate maps a Cell (one surface, one cut, one reading) to a Verdict: True, False or None
+(undecided), one number as its effect, and the evidence in words. Limits are set by the sentence
+alone, never by the results.
 """
 
 from collections import namedtuple
@@ -11,7 +12,7 @@ import numpy as np
 from .cell import FAVOURITES, NINE, TIE, kendall, tied_ranks
 
 SIMILAR, DIFFERENT = 0.7, 0.5  # Kendall's tau
-QUADRATIC, LINEAR = -1.5, -0.5  # slopes nearer to O(h^2), and to O(h), than to the order below
+QUADRATIC, LINEAR = -1.5, -0.5  # slopes half way from O(h^2) to O(h), and from O(h) to O(1)
 
 Claim = namedtuple("Claim", "number section sentence measure limit holds about cuts decide")
 Verdict = namedtuple("Verdict", "holds effect evidence")
@@ -200,7 +201,7 @@ def most_stable(cell):
 
 
 def _slopes(cell, wanted):
-    """Whether every curve's slope is at most the one wanted; effect: by how much it is missed."""
+    """Whether every curve's slope is at most its limit; the effect is the largest excess."""
     verdicts, missed, words = [], [], []
     for (quantity, name), limit in wanted.items():
         tail, stderr, verdict = cell.curve.get((quantity, name), (np.nan, np.nan, "undefined"))
@@ -215,6 +216,6 @@ def _slopes(cell, wanted):
 
 
 def _all(verdicts):
-    """False where one is, else undecided where one is."""
+    """The conjunction: False if one is, else None if one is."""
     verdicts = list(verdicts)
     return False if False in verdicts else None if None in verdicts else True

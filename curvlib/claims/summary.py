@@ -1,4 +1,4 @@
-"""The decided claims, summed up: tables and the answers in words."""
+"""Summaries of the decided claims: a table, and the answer as text."""
 
 import pandas as pd
 
@@ -6,13 +6,15 @@ from .cell import chosen
 from .evidence import QUADRIC
 from .sentences import CLAIMS
 
-TOGETHER = "all"  # in place of a diagonal
+TOGETHER = "all"  # in place of a diagonal: all cuts of a surface
 HOLDS = ("true", "undecided", "false")  # from the best to the worst
 
 
 def verdicts(decided: pd.DataFrame, diagonal: str, reading: str = "default") -> pd.DataFrame:
-    """Claims against surfaces: whether each holds there, in one reading, as cut by `diagonal` or,
-    where the claim is about them, in all cuts together."""
+    """Verdicts in one reading: a row per claim, a column per surface.
+
+    Surfaces are cut along `diagonal`; a claim about all cuts is decided for them together.
+    """
     here = _of_claims(decided[decided.reading == reading])
     here = here[here.diagonal.isin([diagonal, TOGETHER])]
     return here.pivot(index="claim", columns="surface", values="holds")
@@ -21,12 +23,13 @@ def verdicts(decided: pd.DataFrame, diagonal: str, reading: str = "default") -> 
 def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:
     """claims-summary.csv, from claims.csv and readings.csv: a row per claim.
 
-    The claim in words. On how many (`of`) of the paper's surfaces, cut as by the first diagonal,
-    it is `<reading>_true`, `_undecided` and `_false` in each named reading, and whether it stands.
-    Over all `cells` (surface, cut, reading) how many are true and undecided; on how many surfaces
-    at most it is true (`most`), and in which reading and cut first (`most_in`). Which single
-    changes of the default reading or of the cut turn it over; on which surfaces it is undecided by
-    default.
+    `section`, `sentence`, `measure`, `limit`, `holds_if`: as stated in `sentences`. `of`: the
+    number of the paper's surfaces. `<reading>_true`, `_undecided`, `_false`: the surfaces with that
+    verdict, cut along the first diagonal, in each named reading; `<reading>_stands`: true on most.
+    `cells`, `cells_true`, `cells_undecided`: counts over surface, cut and reading. `most`: the
+    largest number of surfaces with the verdict true; `most_in`: the first reading and cut with it.
+    `turned_over_by`: the single changes of the default reading or of the cut that change
+    `default_stands`. `undecided_on`: the surfaces that are undecided by default.
     """
     kind = readings.drop_duplicates("reading").set_index("reading").kind
     on_surfaces = decided[decided.surface != QUADRIC]
@@ -69,8 +72,8 @@ def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:
 
 
 def _of_claims(cells):
-    """The cells that count: those of a claim about all cuts of a surface are put together, false
-    if it is false in one of them, else undecided if it is that in one."""
+    """The cells, where those of a claim about all cuts of a surface are joined into one with the
+    worst verdict."""
     about_all = [claim.number for claim in CLAIMS.values() if claim.cuts == "all"]
     apart, joined = cells[~cells.claim.isin(about_all)], cells[cells.claim.isin(about_all)]
     worst = pd.Categorical(joined.holds, HOLDS, ordered=True)
@@ -80,7 +83,7 @@ def _of_claims(cells):
 
 
 def _counts(cells, column):
-    """By the values of a column: on how many surfaces it is true, undecided and false."""
+    """For each value of a column, the number of surfaces per verdict."""
     return pd.crosstab(cells[column], cells.holds).reindex(columns=HOLDS, fill_value=0)
 
 
@@ -90,22 +93,22 @@ def stands(counts: pd.DataFrame) -> pd.Series:
 
 
 def _in_brackets(row, reading):
-    """`5 of 7`: on how many surfaces it is true; `5 (+1) of 7` where one more is undecided."""
+    """`5 of 7` surfaces where the claim is true; `5 (+1) of 7` where one more is undecided."""
     undecided = row[f"{reading}_undecided"]
     more = f" (+{undecided})" if undecided else ""
     return f"{row[f'{reading}_true']}{more} of {row['of']}"
 
 
 def in_words(table: pd.DataFrame) -> str:
-    """The same for the CHANGELOG: a line of a list per claim."""
+    """The answer for the CHANGELOG, a list item per claim, from claims-summary.csv."""
     lines = []
     for _, row in table.iterrows():
-        turned = row.turned_over_by or "no single choice"
+        changes = row.turned_over_by or "no single choice"
         lines.append(
             f"* Claim {row.claim} ({row.sentence[:-1]}): true on {_in_brackets(row, 'default')} "
             f"surfaces in the default reading, and in {row.cells_true} of all {row.cells} "
-            f"combinations of surface, cut and reading ({row.cells_undecided} undecided); turned "
-            f"over by {turned}.\n"
+            f"combinations of surface, cut and reading ({row.cells_undecided} undecided); the "
+            f"verdict changes with {changes}.\n"
         )
     return "".join(lines)
 
@@ -116,10 +119,10 @@ def _shortened(listed):
 
 
 def answer(table: pd.DataFrame) -> str:
-    """The README's answer, in Markdown, from claims-summary.csv."""
+    """The answer for the README, a Markdown table, from claims-summary.csv."""
     shown = pd.DataFrame({"": table.claim, "the paper says": table.sentence})
-    for reading, heading in (("default", "true on"), ("likely-run", "as likely run")):
+    for reading, heading in (("default", "default reading"), ("likely-run", "likely reading")):
         if f"{reading}_true" in table:
             shown[heading] = [_in_brackets(row, reading) for _, row in table.iterrows()]
-    shown["turned over by"] = table.turned_over_by.map(_shortened)
+    shown["verdict changes with"] = table.turned_over_by.map(_shortened)
     return shown.to_markdown(index=False, disable_numparse=True) + "\n"

@@ -1,4 +1,4 @@
-"""How far estimates are from the exact values: errors by reading, convergence, ranks."""
+"""Accuracy of the estimates: errors by reading, orders of convergence, ranks."""
 
 import numpy as np
 import pandas as pd
@@ -8,17 +8,16 @@ from .norms import NORMS, ROUNDING, VERTICES, rounding_level
 VARIANT = ["estimator", "variant", "counted"]
 CURVE = ["surface", "diagonal", *VARIANT, "quantity", "more"]
 
-# |slope| below this, nearer to no order of convergence than to the first, is stagnation.
+# |slope| below this is stagnation: half way from O(1) to O(h).
 STAGNATION = 0.5
 
 
 def by_variant(tables, readings, full) -> pd.DataFrame:
     """variants.csv: the errors of all variants that a reading names, one row per quantity.
 
-    `tables`: one DataFrame per estimator, of `run_estimator`; `readings`: readings.csv; `full`: the
-    MeshKeys on which all variants were run, marked in the column `full`. A surface without poles
-    has the same rows for every choice of vertices. `rounding` is the level below which an error is
-    nothing but rounding.
+    `tables`: one DataFrame per estimator, from `run_estimator`; `readings`: readings.csv; `full`:
+    the MeshKeys on which all variants were run, marked in the column `full`. On a surface without
+    poles, rows are equal for all choices of vertices. Errors below `rounding` are rounding.
     """
     rows = concat(tables)
     everything, without_poles = VERTICES
@@ -38,8 +37,8 @@ def by_variant(tables, readings, full) -> pd.DataFrame:
 
 
 def errors(rows, readings) -> pd.DataFrame:
-    """errors.csv: the rows of every reading, one per norm; on meshes not `full`, those of readings
-    with `more`."""
+    """errors.csv: the errors of every reading, a row per norm; on meshes that are not `full`, of
+    readings with `more`."""
     table = readings.merge(rows, on=VARIANT)
     table = table[table.full | table.more]
     key = ["surface", "diagonal", "n", "triangles", "estimator", "reading", "quantity"]
@@ -52,14 +51,14 @@ def errors(rows, readings) -> pd.DataFrame:
 
 
 def curves(rows, readings) -> pd.DataFrame:
-    """curves.csv, from variants.csv: what the mean errors of a variant do as n grows.
+    """curves.csv, from variants.csv: convergence of the mean error of each variant.
 
-    `more` is false for the curves over the full meshes alone, true for those over all meshes,
-    which readings with `more` go by. `slope` of log(error) over log(n) by least squares over all
-    resolutions, with its standard error `stderr` and, by leaving out one resolution after the
-    other, `jackknife`; `tail` and `tail_stderr` are slope and standard error over the finest half
-    (at least three), up to n = `finest`. Errors below `rounding` are no part of a fit. `verdict`
-    goes by `tail`. Curves of one resolution are left out.
+    `more`: false for curves over the full meshes, true for curves over all meshes, which readings
+    with `more` use. `slope` of log(error) over log(n) by least squares over all resolutions, with
+    its standard error `stderr` and its jackknife standard error `jackknife`; `tail`, `tail_stderr`:
+    slope and standard error over the finest half (at least three), up to n = `finest`. Fits leave
+    out errors below `rounding`. `verdict` is decided by `tail`. Curves of one resolution are left
+    out.
     """
     everywhere = rows.merge(readings.loc[readings.more, VARIANT].drop_duplicates(), on=VARIANT)
     rows = pd.concat([rows[rows.full].assign(more=False), everywhere.assign(more=True)])
@@ -73,7 +72,7 @@ def curves(rows, readings) -> pd.DataFrame:
     use = value > level[:, None]
     x, y = np.log(n), np.log(np.where(use, value, 1))
     count = use.sum(1)
-    # The finest half: of the points in use, those with few enough from there on.
+    # A point is in the finest half if few enough of the points in use are as fine.
     behind = use[:, ::-1].cumsum(1)[:, ::-1]
     tail = use & (behind <= np.maximum(3, (count + 1) // 2)[:, None])
     fits = dict(zip(("slope", "stderr"), slope_fit(x, y, use)))
@@ -87,10 +86,11 @@ def curves(rows, readings) -> pd.DataFrame:
 
 
 def verdicts(slopes, values, use) -> list[str]:
-    """What slopes over log(n) (m,) of errors (m, n) say, those above rounding being in `use`.
+    """Verdicts on slopes over log(n) (m,) of errors (m, n); those in `use` exceed rounding.
 
-    `undefined` without any error, `exact` where at most one exceeds rounding, else by slope, -2
-    for an error of O(h^2): `converges` below -STAGNATION, `diverges` above it, `stagnates` between.
+    `undefined` without any error, `exact` where at most one exceeds rounding, else by slope (-2
+    for an error of O(h^2)): `converges` below -STAGNATION, `diverges` above STAGNATION, `stagnates`
+    between.
     """
     chosen = [np.isnan(values).all(1), use.sum(1) < 2, slopes < -STAGNATION, slopes > STAGNATION]
     names = ["undefined", "exact", "converges", "diverges"]
@@ -99,7 +99,7 @@ def verdicts(slopes, values, use) -> list[str]:
 
 
 def convergence(curves, readings) -> pd.DataFrame:
-    """convergence.csv: the curves of every reading, each over the meshes that it was run on."""
+    """convergence.csv: the curves of every reading, over the meshes on which it was run."""
     table = readings.merge(curves, on=[*VARIANT, "more"])
     first = ["surface", "diagonal", "estimator", "reading", "quantity"]
     table = table.sort_values(first, kind="stable")
@@ -124,7 +124,7 @@ def ring_slopes(rings) -> pd.DataFrame:
 
 def ranks(errors, rows) -> pd.DataFrame:
     """ranks.csv, from errors.csv and, for the rounding levels, variants.csv: 1 for the smallest
-    mean error; what differs from the next smaller one by rounding shares its rank. An estimator
+    mean error. An error within rounding of the next smaller one shares its rank; an estimator
     without an error has none."""
     group = ["surface", "diagonal", "n", "reading", "quantity"]
     mean = errors[(errors.norm == "mean") & errors.value.notna()]
@@ -139,13 +139,13 @@ def ranks(errors, rows) -> pd.DataFrame:
 
 
 def concat(tables) -> pd.DataFrame:
-    """Tables of the same columns below each other; a table without rows says nothing of types."""
+    """Concatenate tables; those without rows are left out, since they lack column types."""
     tables = list(tables)
     return pd.concat([t for t in tables if len(t)] or tables[:1], ignore_index=True)
 
 
 def _jackknife(x, y, use):
-    """Standard error of the slope from leaving out one point after the other; NaN for two."""
+    """Jackknife standard error of the slope; NaN for fewer than three points."""
     without = use[:, None, :] & ~np.eye(use.shape[1], dtype=bool)
     slopes = slope_fit(x, y[:, None, :], without)[0]
     count = np.where(use.sum(1) > 2, use.sum(1), np.nan)
@@ -155,8 +155,8 @@ def _jackknife(x, y, use):
 
 
 def slope_fit(x, y, use):
-    """Slopes of the least-squares lines through the points (..., n) that are in use, and their
-    standard errors; NaN for less than two points, the error for less than three."""
+    """Slopes of the least-squares lines through the points (..., n) in use, NaN for fewer than two,
+    and their standard errors, NaN for fewer than three."""
     count = use.sum(-1)
     with np.errstate(divide="ignore", invalid="ignore"):
         dx, dy = (use * (v - ((use * v).sum(-1) / count)[..., None]) for v in (x, y))

@@ -1,4 +1,4 @@
-"""How fast: exact curvature of a NURBS surface, beside what others need for derivatives alone."""
+"""Throughput of exact curvature of a NURBS surface, beside derivatives alone by other libraries."""
 
 import itertools
 import statistics
@@ -11,9 +11,9 @@ from .throughput import seconds_of
 
 
 def exact_rows(name="teapot_spout", scattered=10_000, side=1000):
-    """Yield rows for exact K and H at points of a surface, `scattered` or on a grid of `side`^2,
-    and beside them for what others need to evaluate derivatives alone: `ratio` is the time for K
-    and H over theirs, the median of runs that take turns."""
+    """Yield rows for exact K and H at `scattered` points of a surface or on a grid of `side`^2, and
+    for the derivatives alone by other libraries. `ratio`: our time for K and H over that of the
+    row, the median of alternating runs."""
     from scipy.interpolate import BSpline, NdBSpline
 
     surface = load(name)

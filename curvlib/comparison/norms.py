@@ -1,4 +1,4 @@
-"""Error norms of estimates on one mesh, and which vertices they are taken over."""
+"""Error norms of estimates on one mesh, and the choices of vertices for them."""
 
 import numpy as np
 
@@ -6,20 +6,20 @@ from .quantities import QUANTITIES, absolute
 
 NORMS = ("mean", "q95", "max", "mean-signed")
 
-# Which vertices count, a choice that no estimator makes: the default first.
+# Choices of vertices, the default first: a reading of the count, not of an estimator.
 VERTICES = ("interior", "without-poles")
 
-# Errors below this fraction of the surface's curvature (largest k^2 for K, k for H) are rounding.
+# Errors below this fraction of the largest k^2 (for K) or k (for H) of the surface are rounding.
 ROUNDING = 1e-9
 
 
 def error_rows(exact, estimates, counted):
     """Yield a dict per quantity: its error in each of NORMS, `vertices` and `undefined`.
 
-    The norms are those of the quantity's own error, |K - K_est| and | |H| - |H_est| | as in the
-    paper; `mean-signed` is the mean of |x - x_est|, an absolute error too, but one that sees a
-    wrong sign. Of the vertices in `counted` (V,) bool, `vertices` have exact value and estimate
-    both defined, `undefined` have not; norms over no vertex are NaN.
+    The errors are |K - K_est| and, as in the paper, | |H| - |H_est| |; `mean-signed` is the mean
+    of |x - x_est|, an absolute error that a wrong sign enters. `vertices`: how many of `counted`
+    (V,) bool have both exact value and estimate; `undefined`: how many lack one. Norms over no
+    vertex are NaN.
     """
     for name, quantity in QUANTITIES.items():
         a, b = getattr(exact, name), getattr(estimates, name)
@@ -33,9 +33,8 @@ def error_rows(exact, estimates, counted):
 
 
 def counted_vertices(mesh) -> dict:
-    """The choices of vertices of a Mesh, (V,) bool each: `interior` is all (the boundary has no
-    estimate anyway), `without-poles` leaves out poles and their one-rings; only where there is a
-    pole."""
+    """The choices of vertices of a Mesh, (V,) bool each: `interior` is all (boundary vertices have
+    no estimate); `without-poles`, on meshes with a pole, leaves out poles and their one-rings."""
     everywhere = np.ones(len(mesh.vertices), dtype=bool)
     if not mesh.pole.any():
         return dict(zip(VERTICES, (everywhere,)))
@@ -50,6 +49,5 @@ def largest_curvature(mesh) -> float:
 
 
 def rounding_level(quantity: str, largest_k: float) -> float:
-    """The error of a quantity below which nothing but rounding is left, on a surface whose
-    largest |k| is `largest_k`."""
+    """The error of a quantity up to which it is rounding, on a surface with this largest |k|."""
     return ROUNDING * largest_k ** QUANTITIES[quantity].power

@@ -1,4 +1,4 @@
-"""What is estimated and compared: one row per quantity.
+"""The quantities that are estimated and compared, one row each.
 
 Tables, figures, units and the article take theirs from here; a new quantity is one more row.
 """

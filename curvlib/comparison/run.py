@@ -1,4 +1,4 @@
-"""What one estimator comes to on the library, on disk: its errors, and its values."""
+"""One estimator on all meshes of the library: error norms and values, written to disk."""
 
 import csv
 from pathlib import Path
@@ -18,7 +18,7 @@ COLUMNS += ("quantity", *NORMS, "vertices", "undefined")
 def run_estimator(
     estimator: str, variants: dict, everywhere, meshes, full, values, errors, **attributes
 ):
-    """Run an estimator on meshes; write two files, `values` and `errors`, both whole or neither.
+    """Run an estimator on meshes; write `values` and `errors`, both whole or neither.
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ def run_estimator(
     variants : dict
         Options by key, the default's first.
     everywhere : collection of str
-        The keys of those variants that are run on every mesh; the others on the full ones.
+        Keys of the variants that are run on every mesh; the others are run on the full ones.
     meshes : mapping
         MeshKey -> Mesh.
     full : collection of MeshKey
@@ -35,8 +35,8 @@ def run_estimator(
     values : path
         HDF5, /<surface>/<diagonal>/<n>/<quantity>: the default's values on the full meshes.
     errors : path
-        CSV of COLUMNS: the error norms of every variant and choice of vertices. The header is
-        there also without a row.
+        CSV of COLUMNS: the error norms of every variant and choice of vertices. Without rows it
+        has a header.
     **attributes
         Of the root of `values`.
     """
@@ -76,8 +76,7 @@ def _write_csv(path, columns, rows):
 
 
 def read_values(path, only=None) -> dict:
-    """MeshKey -> the estimates of `run_estimator` by quantity, default reading; `only` of these
-    keys, else of all that are there."""
+    """MeshKey -> the values of `run_estimator` by quantity; for the keys `only`, or for all."""
     with open_hdf5(path) as file:
         keys = only or [MeshKey(s, d, int(n)) for s in file for d in file[s] for n in file[s][d]]
         groups = {key: file["/".join(map(str, key))] for key in keys}

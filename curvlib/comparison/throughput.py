@@ -1,7 +1,7 @@
-"""How fast: this package and its peers, from arrays of vertices and faces to values.
+"""Throughput of this package and its peers, from arrays of vertices and faces to values.
 
-`python -m curvlib.comparison.throughput METHOD THREADS MESH.npz` measures one of them in a
-process of its own, so that its peak memory is its own, and prints a row as JSON.
+`python -m curvlib.comparison.throughput METHOD THREADS MESH.npz` measures one method and prints a
+row as JSON: each has a process, and so a peak memory, of its own.
 """
 
 import functools
@@ -20,7 +20,7 @@ from curvlib.estimation import estimate
 from curvlib.meshes.torus import torus
 
 REFERENCE = "libigl gaussian_curvature"
-SECONDS, RUNS = 3.0, 9  # a method is run until it has had either, but twice at least
+SECONDS, RUNS = 3.0, 9  # a method is run until one of these is reached, at least twice
 
 
 def _igl(function):
@@ -65,7 +65,7 @@ def _ours(*names):
     return lambda vertices, faces, threads: estimate((vertices, faces), names, threads=threads)
 
 
-# Each makes a function of (vertices, faces, threads), or raises ImportError.
+# Each value makes a function of (vertices, faces, threads), or raises ImportError.
 PEERS = {
     REFERENCE: lambda: _igl("gaussian_curvature"),
     "libigl principal_curvature": lambda: _igl("principal_curvature"),
@@ -73,7 +73,7 @@ PEERS = {
     "MeshLab K and H": _meshlab,
     "trimesh vertex_defects": _trimesh,
 }
-# What no method can be faster than: six arctangents a vertex, or one copy of the input.
+# Upper bounds on throughput: six arctangents a vertex, or one copy of the input.
 LIMITS = {
     "arctan2": lambda: lambda v, f, threads: [np.arctan2(v, v) for _ in range(2)],
     "copy": lambda: lambda v, f, threads: (v.copy(), f.copy()),
@@ -81,22 +81,22 @@ LIMITS = {
 
 
 def methods():
-    """Name -> maker of a function of (vertices, faces, threads), for all that is measured."""
+    """Name -> maker of a function of (vertices, faces, threads), for every method measured."""
     names = estimators.names()
     ours = {name: functools.partial(_ours, name) for name in names}
     return ours | {"all estimators": functools.partial(_ours, *names)} | PEERS | LIMITS
 
 
 def measure(method: str, threads: int, vertices, faces) -> dict:
-    """A row: `seconds` (median), `ratio` to the reference (median over runs that take turns with
-    it; NaN where it is not installed), `bytes_per_vertex` of memory at the peak beyond the mesh
-    itself, `note` where the method is not installed."""
+    """A row: `seconds` (median); `ratio` to the reference (median of alternating runs; NaN if it is
+    not installed); `bytes_per_vertex` of peak memory beyond the mesh; `note` if the method is not
+    installed."""
     row = {"method": method, "threads": threads, "vertices": len(vertices)}
     try:
         run = methods()[method]()
     except ImportError as error:
         return row | {"note": f"not installed: {error}"}
-    # What is loaded or compiled once is no matter of the mesh.
+    # A first run on a small mesh keeps imports and compilation out of time and memory.
     run(*torus(8, "regular"), threads)
     before = _peak()
     run(vertices, faces, threads)
@@ -130,7 +130,7 @@ def rows(sizes, kinds=("regular", "irregular"), threads=(1, 2)):
         def save(size, kind):
             np.savez(path, **dict(zip(("vertices", "faces"), torus(size, kind))))
 
-        # Compiled once and kept: the compiler's own memory is no matter of the mesh.
+        # Compile once before any measurement: the compiler's memory would count as peak.
         save(8, "regular")
         row("all estimators", 1)
         for size in sizes:
@@ -148,8 +148,8 @@ def seconds_of(run, *arguments):
 
 
 def _peak():
-    """Bytes of memory that this process has held at most; NaN where the system does not tell."""
-    # Not getrusage: that maximum is inherited from the process that started this one.
+    """Peak resident memory of this process in bytes; NaN where /proc does not exist."""
+    # getrusage would return the maximum inherited from the parent process.
     status = Path("/proc/self/status")
     lines = status.read_text(encoding="utf-8").splitlines() if status.exists() else ()
     return sum(1024 * int(x.split()[1]) for x in lines if x.startswith("VmHWM")) or np.nan

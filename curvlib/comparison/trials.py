@@ -1,4 +1,4 @@
-"""Two experiments beyond the paper's: noise on its meshes, and rings that shrink on a quadric."""
+"""Two experiments beyond the paper: noise on its meshes, and one-rings that shrink on quadrics."""
 
 import numpy as np
 
@@ -24,10 +24,9 @@ def noise_rows(mesh, estimator: str, variants: dict, seed: int = 0):
     """Yield dicts of NOISE_COLUMNS for one Mesh: mean errors under displaced vertices.
 
     Every vertex moves along its exact normal by a normal deviate, the same for all estimators.
-    The moved mesh keeps the normals of the clean surface, so that the reading `normal=exact` is
-    an oracle here: it knows what no scanner measures. `value` is the mean over the draws of the
-    mean error, `spread` their standard deviation, over the vertices that are defined in all draws;
-    NaN where none is.
+    The moved mesh keeps the normals of the clean surface: the reading `normal=exact` is an oracle
+    here. Mean errors are over the vertices that are defined in all draws; `value` is their mean
+    over the draws, `spread` their standard deviation; NaN without such a vertex.
     """
     edges = mesh.vertices[mesh.faces] - mesh.vertices[np.roll(mesh.faces, -1, axis=1)]
     length = np.linalg.norm(edges, axis=2).mean()
@@ -64,8 +63,9 @@ def ring_rows(estimator: str, variants: dict, seed: int = 0):
         z = (k1 x^2 + k2 y^2) / 2 + z (p x + q y) + r z^2 / 2,
 
     and a ring about the origin: `regular` neighbours at equal angles and distances h in the
-    tangent plane, `irregular` ones jittered in both. The error is that of signed values: the
-    ring's side is known. `undefined` draws have none. An estimator of whole meshes has no rows.
+    tangent plane, `irregular` ones jittered in both. Errors are of signed values, since the side
+    of a ring is known. `undefined` counts the draws without one. An estimator that is given the
+    mesh has no rows.
     """
     function = estimators.module(estimator).estimate
     if takes_mesh(function):

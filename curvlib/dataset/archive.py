@@ -12,9 +12,9 @@ SUMS = "SHA256SUMS"
 def write_archive(path, members: dict) -> None:
     """Write a zip file and, beside it, SHA256SUMS with its hash.
 
-    `members`: name in the archive -> file on disk (Path) or text (str). They lie in one folder of
-    the archive's name, with a SHA256SUMS of their own. For the same bytes on any machine, members
-    are sorted, have a fixed date and are not compressed: the output of deflate depends on zlib.
+    `members`: name in the archive -> file on disk (Path) or text (str). They lie in one folder with
+    the archive's name and a SHA256SUMS of its own. For the same bytes on any machine, members are
+    sorted, have a fixed date and are not compressed: the output of deflate depends on zlib.
     """
     path = Path(path)
     hashes = {}
@@ -37,10 +37,8 @@ def sums_text(hashes: dict) -> str:
 
 
 def parse_sums(text: str) -> dict:
-    """File name -> SHA-256 in lower case, from the text of a SHA256SUMS file.
-
-    Lines of another form are left out.
-    """
+    """File name -> SHA-256 in lower case, from the text of a SHA256SUMS file; other lines are left
+    out."""
     rows = (line.split(maxsplit=1) for line in text.splitlines())
     return {
         row[1].removeprefix("*").removeprefix("./"): row[0].lower() for row in rows if len(row) == 2

@@ -1,4 +1,4 @@
-"""The description of an archive: the table of its meshes, and texts with its numbers."""
+"""The description of an archive: a table of its meshes, and templates filled with its numbers."""
 
 import hashlib
 import json
@@ -13,11 +13,11 @@ from .library import Library, mesh_files
 
 
 def describe(templates, members: dict, library: Library, labels: dict, **facts) -> dict:
-    """The describing members of an archive, member name -> text: meshes.csv and the templates.
+    """The members that describe an archive, name -> text: meshes.csv and the filled templates.
 
-    `templates`: files with $-names for `facts` and for the counts made here; those that end in
-    .json are filled by `fill`. `members`: name -> path of the archive's files. `labels`: name in
-    words by surface.
+    `templates`: files with $-names for `facts` and for the counts made here; .json files are
+    filled by `fill`. `members`: name -> path of the archive's other files. `labels`: surface ->
+    its label.
     """
     table = mesh_table(library, labels)
     meshes = table.to_csv(index=False, lineterminator="\n")
@@ -46,8 +46,8 @@ def describe(templates, members: dict, library: Library, labels: dict, **facts) 
 def fill(node, facts: dict):
     """A JSON document with facts in place of $-names.
 
-    A string that is just `$name` becomes the fact itself, a number or a list; as an item of a
-    list, a list of facts becomes several items. In a longer string the fact becomes text.
+    A string `$name` alone becomes the fact, a number or a list; a list inside a list is spliced
+    into it. In a longer string the fact becomes text.
     """
     if isinstance(node, dict):
         return {key: fill(value, facts) for key, value in node.items()}
@@ -68,7 +68,7 @@ def _summary(table):
     table = table.assign(label=table.label.str.replace("|", r"\|"))
     per_surface = table.groupby("surface", sort=False)
     summary = per_surface.agg({"label": "first", "n": "size", "K_min": "min", "K_max": "max"})
-    # Adding 0 turns -0, the rounded K = -1e-30 of a cone, into 0.
+    # + 0 turns -0, which K = -1e-30 of a cone is rounded to, into 0.
     summary[["K_min", "K_max"]] = summary[["K_min", "K_max"]].round(3) + 0
     summary = summary.reset_index().rename(columns={"n": "meshes"})
     return summary.to_markdown(index=False, floatfmt="g")
@@ -96,7 +96,7 @@ def mesh_table(library: Library, labels: dict) -> pd.DataFrame:
 
 
 def _text_resource(name, path):
-    """A text file of the paper's form as a resource of the data package."""
+    """A text file in the paper's format as a resource of the data package."""
     return {
         "name": Path(name).stem.lower(),
         "path": name,

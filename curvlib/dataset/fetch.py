@@ -1,4 +1,4 @@
-"""Getting an archive of the library: downloaded or from a path, checked, unpacked whole."""
+"""Fetch an archive of the library: download or copy it, check it, unpack it whole."""
 
 import os
 import sys
@@ -31,8 +31,8 @@ def fetch(source: str | os.PathLike, folder: str | os.PathLike = ".") -> Path:
     Raises
     ------
     InputError
-        Where the archive or SHA256SUMS cannot be had, the hash differs, a member is missing or
-        would lie outside the new folder, or the new folder exists already. Nothing is left then.
+        The archive or SHA256SUMS cannot be read, the hash differs, a member is missing or would
+        lie outside the new folder, or the new folder exists already. No file is left behind.
     """
     source = str(source)
     remote = "://" in source
@@ -44,14 +44,14 @@ def fetch(source: str | os.PathLike, folder: str | os.PathLike = ".") -> Path:
     with _scratch(folder, target.name) as scratch:
         if remote:
             expected = _listed(_download(_beside(source), scratch), name, source)
-            _check_free(target)  # Before a download of minutes.
+            _check_free(target)  # before a download of minutes
             archive = _download(source, scratch, expected)
         else:
             archive = _existing(Path(source).expanduser())
             expected = _listed(_existing(archive.with_name(SUMS)), name, source)
             if file_hash(archive) != expected:
                 raise _changed(source, expected)
-            _check_free(target)  # After the hash: a damaged archive must not cost a good folder.
+            _check_free(target)  # after the hash, lest a user removes a good folder for a bad file
         _unpack(archive, source, target.name, scratch)
         Path(scratch, target.name).rename(target)
     return target
@@ -59,7 +59,7 @@ def fetch(source: str | os.PathLike, folder: str | os.PathLike = ".") -> Path:
 
 @contextmanager
 def _scratch(folder, name):
-    """A temporary folder in `folder`, which is made for it and removed again on an error."""
+    """Yield a temporary folder in `folder`, which is made if needed and removed on an error."""
     made = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -140,7 +140,7 @@ def _reason(error):
 
 
 def _unpack(path, source, top, folder):
-    """Extract an archive, got from `source`, whose members all have to lie in the folder `top`."""
+    """Extract an archive from `source`; raise InputError for a member outside the folder `top`."""
     with open_archive(path) as archive:
         names = archive.namelist()
         for name in names:

@@ -1,4 +1,4 @@
-"""A mesh for other programs: PLY, and the text that the paper describes.
+"""Files for other programs: PLY, and the text format of the paper.
 
 Nothing is compressed: the output of deflate depends on the machine's zlib.
 """
@@ -34,9 +34,9 @@ def write_ply(path, mesh: Mesh, about: dict) -> None:
 
 
 def write_text(path, mesh: Mesh, about: dict) -> None:
-    """Write a line `x y z K H^2` per vertex with 17 digits, which give the same doubles back.
+    """Write a line `x y z K H^2` per vertex with 17 digits, enough for exact doubles.
 
-    `about`: lines before them, which start with #.
+    `about`: comment lines before them, which start with #.
     """
     header = "\n".join([*_lines(about), "x y z K H^2"])
     rows = np.column_stack((mesh.vertices, mesh.K, mesh.H2))
@@ -44,5 +44,5 @@ def write_text(path, mesh: Mesh, about: dict) -> None:
 
 
 def _lines(about):
-    """One line per item, whatever line breaks its text has."""
+    """One line per item, line breaks in it replaced by spaces."""
     return [" ".join(f"{key}: {value}".split()) for key, value in about.items()]

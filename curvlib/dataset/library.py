@@ -1,7 +1,7 @@
 """The library of meshes: a folder per surface, three files per mesh; or an archive of it.
 
-`<surface>/<surface>.<diagonal>.<n>` is the mesh of n x n cells: `.vtkhdf` holds all exact values
-and is the file that is loaded, `.ply` and `.txt` hold K and H^2.
+`<surface>/<surface>.<diagonal>.<n>` is the mesh of n x n cells: `.vtkhdf`, with all exact values,
+is loaded; `.ply` and `.txt` hold K and H^2 for other programs.
 """
 
 import os
@@ -18,12 +18,12 @@ from curvlib.meshes.mesh import Mesh
 from .sums import check_unchanged
 from .vtkhdf import read_vtkhdf
 
-# One file of each per mesh; it is loaded from the first.
+# Files of a mesh; the first is loaded.
 KINDS = (".vtkhdf", ".ply", ".txt")
 
 
 def mesh_files(surface: str, diagonal: str, n: int) -> list[str]:
-    """The files of a mesh, relative to the library's folder; the one it is loaded from first."""
+    """The files of a mesh, relative to the library's folder; the first is loaded."""
     return [f"{surface}/{surface}.{diagonal}.{n:03d}{kind}" for kind in KINDS]
 
 
@@ -33,13 +33,13 @@ def nurbs_file(surface: str) -> str:
 
 
 def load_library(*paths: str | os.PathLike) -> "Library":
-    """List the meshes of a library; each is read when it is asked for.
+    """List the meshes of a library; each is read on access.
 
     Parameters
     ----------
     *paths : path
-        The library's folder, its archive (.zip) or single .vtkhdf files of it. Where two hold a
-        mesh of the same name, the later path counts.
+        The library's folder, its archive (.zip) or single .vtkhdf files of it. For a mesh in two
+        of them, the later path counts.
 
     Returns
     -------
@@ -49,8 +49,7 @@ def load_library(*paths: str | os.PathLike) -> "Library":
     Raises
     ------
     InputError
-        Where a path does not exist or holds no mesh. A damaged file is reported when its mesh is
-        asked for.
+        A path does not exist or holds no mesh. A damaged file is reported on access.
 
     Examples
     --------
@@ -128,7 +127,7 @@ class Library(Mapping):
         surface : str
             Name of the surface, one of `surfaces()`.
         n : int
-            Resolution: the mesh has n x n cells, two triangles each but at poles.
+            Resolution: the mesh has n x n cells of two triangles, of one at a pole.
         diagonal : str
             How the cells are cut: "same", "alternate", "shortest", "random-<seed>" or
             "jittered-<seed>".
@@ -145,7 +144,7 @@ class Library(Mapping):
         Raises
         ------
         InputError
-            Where the library has no such mesh, with the nearest name, or its file is damaged.
+            The library has no such mesh (the message has the nearest name), or its file is damaged.
 
         Examples
         --------
@@ -167,7 +166,7 @@ class Library(Mapping):
         return sorted({surface for surface, _, _ in self})
 
     def only(self, keys: Iterable[tuple[str, str, int]]) -> "Library":
-        """The library of these (surface, diagonal, n), in this order; InputError as in `mesh`."""
+        """The library of these (surface, diagonal, n), in this order; raises as `mesh` does."""
         keys = list(keys)
         for key in keys:
             self._check(key)

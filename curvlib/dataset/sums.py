@@ -1,4 +1,4 @@
-"""Checksums beside the meshes of a surface: a mesh that was changed since is told."""
+"""Checksums beside the meshes of a surface, by which a changed mesh is found."""
 
 from pathlib import Path
 
@@ -9,17 +9,17 @@ from .archive import SUMS, file_hash, parse_sums, sums_text
 
 
 def write_sums(folder, names) -> None:
-    """Write SHA256SUMS of these files in a folder; no earlier than they are."""
+    """Write SHA256SUMS of these files in a folder, after them: see `check_unchanged`."""
     hashes = {name: file_hash(Path(folder, name)) for name in names}
     with whole_file(Path(folder, SUMS)) as part:
         part.write_text(sums_text(hashes), encoding="utf-8", newline="\n")
 
 
 def check_unchanged(path) -> None:
-    """Raise InputError where a file is not the one that SHA256SUMS beside it lists.
+    """Raise InputError unless a file has the hash in SHA256SUMS beside it.
 
-    A file older than SHA256SUMS is not read: each job loads all meshes, and would spend 0.4 s on
-    their hashes.
+    A file older than SHA256SUMS is not hashed: each job loads all meshes, and hashing them takes
+    0.4 s.
     """
     path = Path(path)
     sums = path.with_name(SUMS)

@@ -1,4 +1,4 @@
-"""Writing the library: every mesh in every format, and the surface that it samples."""
+"""Write the library: every mesh in every format, and the surface that it samples."""
 
 from pathlib import Path
 
@@ -23,8 +23,8 @@ WRITERS = dict(zip(KINDS, (write_vtkhdf, write_ply, write_text), strict=True))
 def write_library(surface: Surface, meshes, folder) -> None:
     """Tessellate a surface for every (diagonal, n) of `meshes` and write the files of each mesh.
 
-    SHA256SUMS lists the files that are loaded. InputError where the system refuses a file, on a
-    full disk for one. No file is left half written.
+    SHA256SUMS lists the files that are loaded. Files are whole or not there; raises InputError
+    where the system refuses one, as on a full disk.
     """
     for diagonal, n in meshes:
         mesh = tessellate(surface, n, diagonal)

@@ -1,1 +1,1 @@
-"""Every picture, from tables and library files."""
+"""Figures, from tables and library files."""

@@ -15,7 +15,7 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
 
     One curve per estimator in the default reading, log-log, at the resolutions in the table.
     `modules`: the module of every surface and estimator, by name, for label and style. An error
-    that is nothing but rounding is a marker on the lower edge, and no line leads there.
+    at rounding level is a marker on the lower edge, without a line to it.
     """
     mean = errors[errors.norm == "mean"]
     points, curves = (t[_shown(t, [surface], quantity)] for t in (mean, convergence))
@@ -24,7 +24,7 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
     floor = visible.min() / 1.5 if len(visible) else level
     exact = set(curves.estimator[curves.verdict == "exact"])
     figure = Figure(figsize=(6.3, 3.9))
-    # A fixed place: a layout that is searched for costs more than all the drawing.
+    # Fixed axes: matplotlib's layout engines take longer than the drawing.
     axes = figure.add_axes((0.11, 0.12, 0.58, 0.8), xscale="log", yscale="log")
     for name, curve in points.groupby("estimator"):
         module = modules[name]
@@ -48,13 +48,13 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
 
 
 def _broken(x, y, low, floor):
-    """A curve with its `low` points at `floor`, and a gap on either side of each."""
+    """A curve with its `low` points at `floor` and gaps around them."""
     gaps = np.flatnonzero(low[1:] | low[:-1]) + 1
     return np.insert(x * 1.0, gaps, np.nan), np.insert(np.where(low, floor, y), gaps, np.nan)
 
 
 def _guide(axes, triangles):
-    """A thin line as steep as an error of O(h²)."""
+    """A thin line with the slope of O(h²)."""
     ends = np.array([triangles[0], triangles[-1]]) * 1.0
     bottom, top = axes.get_ylim()
     start = bottom**0.6 * top**0.4
@@ -63,7 +63,7 @@ def _guide(axes, triangles):
 
 
 def _apart(values):
-    """Labels of rising values on a logarithmic axis, empty where they would run into the next."""
+    """Labels of rising values on a logarithmic axis, empty where they would overlap the next."""
     step = np.log(values[-1] / values[0]) / 12
     labels, above = [], np.inf
     for value in values[::-1]:
@@ -74,7 +74,7 @@ def _apart(values):
 
 
 def _shown(table, surfaces, quantity):
-    """Which rows are of a quantity in the default reading, on the grid that the paper has."""
+    """Mask of the rows of a quantity in the default reading, on the paper's cut."""
     here = table.surface.isin(surfaces) & (table.diagonal == "same")
     return here & (table.quantity == quantity) & (table.reading == "default")
 
@@ -98,7 +98,7 @@ def rank_plot(ranks, quantity: str, surfaces, modules, n: int) -> Figure:
             y.append(rank[surface])
         style = modules[name].STYLE | {"markersize": 7}
         (marks,) = axes.plot(x, y, label=modules[name].LABEL, **style | {"linestyle": "none"})
-        # Only the marks mean something: the line between them is there to be followed.
+        # The thin line only guides the eye from mark to mark.
         axes.plot(x, y, color=marks.get_color(), linewidth=0.5, alpha=0.5, zorder=1)
     axes.invert_yaxis()
     axes.set_yticks(range(1, shown["rank"].max() + 1) if len(shown) else [])

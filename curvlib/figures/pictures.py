@@ -1,8 +1,8 @@
-"""Pictures of the surfaces: themselves, their meshes, exact curvature, errors of the estimates.
+"""Pictures of surfaces, meshes, exact curvature and errors of the estimates.
 
-Each is composed of images that a function of `render` draws: `draw`, Scene -> image. A surface's
-module says how it is shown: LABEL; UP, the axis that points up (z where it says nothing); and
-CLOSE_UP, a part of the domain ((u0, u1), (v0, v1)) to show closer by, where errors gather.
+Each is composed of images from `draw`, Scene -> image, a function of `render`. A surface's module
+has LABEL; UP, the axis that points up (default z); and CLOSE_UP, a part of the domain
+((u0, u1), (v0, v1)) with large errors, shown enlarged.
 """
 
 import matplotlib
@@ -21,13 +21,13 @@ from .views import View, edges, iso_lines
 PAGE = 1400  # pixels
 GAP = 24  # pixels around an image
 
-# Zero is a pale yellow, neither the white of the page nor the neutral grey. That is darker than
-# the one, and lighter than where the other runs through grey for those who see no red or green.
+# RdYlBu puts zero at pale yellow, which differs from the white page and from NEUTRAL also for
+# colour-blind readers.
 DIVERGING, SEQUENTIAL = (matplotlib.colormaps[name] for name in ("RdYlBu_r", "viridis"))
 NEUTRAL = (0.78, 0.78, 0.78)
-AMBIENT = 0.8  # of the light on colours that have to be read
-COVERED = 0.99  # of the surface, or of the errors: within the ends of a scale
-FLAT = AsinhNorm(1, -1, 1)  # of what is zero everywhere
+AMBIENT = 0.8  # share of ambient light where colours encode values
+COVERED = 0.99  # share of the area, or of the errors, within the ends of a scale
+FLAT = AsinhNorm(1, -1, 1)  # for values that are zero everywhere
 
 
 @in_style
@@ -45,11 +45,11 @@ def surface_plate(meshes, numbers, modules, draw) -> Figure:
 
 @in_style
 def tessellation_plate(meshes, modules, draw) -> Figure:
-    """Meshes, each facet shaded by itself, with edges and triangle counts: the paper's Figure 2."""
+    """Flat-shaded meshes with edges and triangle counts: the paper's Figure 2."""
     plate = _Plate(len(meshes), below=50, shape=0.8)
     for number, (((surface, *_), mesh), panel) in enumerate(zip(meshes.items(), plate.panels), 1):
         view = _view(mesh, modules[surface], panel)
-        # Finer lines on finer meshes, or those would be all ink.
+        # Thinner lines on finer meshes, lest the edges cover them.
         width = float(np.clip(30 / np.sqrt(len(mesh.faces)), 0.35, 1.2))
         panel.show(draw(view.scene(edges=edges(mesh), flat=True, width=width)))
         panel.title(f"({number}) {len(mesh.faces)} triangles")
@@ -60,8 +60,8 @@ def tessellation_plate(meshes, modules, draw) -> Figure:
 def curvature_map(meshes, quantity: str, modules, draw) -> Figure:
     """The surfaces coloured by an exact quantity, each on its own scale with zero in the middle.
 
-    Linear up to the median of the absolute values by area, logarithmic from there, to what
-    COVERED of the area does not exceed.
+    Scales are linear up to the area-weighted median of the absolute values, then logarithmic up to
+    their quantile COVERED.
     """
     plate = _Plate(len(meshes), below=130, foot=80)
     for ((surface, *_), mesh), panel in zip(meshes.items(), plate.panels):
@@ -87,10 +87,10 @@ def curvature_map(meshes, quantity: str, modules, draw) -> Figure:
 
 @in_style
 def error_map(mesh, estimates, quantity: str, surface, modules, draw) -> Figure:
-    """Where each estimator errs on one mesh, by the quantity's own error.
+    """The error of each estimator over one mesh.
 
     `estimates`: name -> estimates by quantity; `surface`: the surface's module; `modules`: the
-    estimators'. One scale for all, logarithmic, from the quantile 1 - COVERED of all errors to
+    estimators'. One logarithmic scale for all, from the quantile 1 - COVERED of all errors to
     COVERED.
     """
     symbol, _, unit, _, error = QUANTITIES[quantity]
@@ -135,20 +135,20 @@ def _around_zero(values, mesh, rounding):
     if not (sizes > rounding).any():
         return FLAT
     typical, limit = np.interp([0.5, COVERED], covered / covered[-1], sizes)
-    limit = max(limit, sizes[-1] / 1000)  # which is 0 where nearly everything is
+    limit = max(limit, sizes[-1] / 1000)  # the quantile is 0 where nearly all values are
     return AsinhNorm(max(typical, limit / 1000), -limit, limit)
 
 
 def _logarithmic(values):
-    """A logarithmic norm that leaves out at either end as many of the values as COVERED allows."""
+    """A logarithmic norm from the quantile 1 - COVERED of the positive values to COVERED."""
     some = values[values > 0]
     low, high = np.quantile(some, [1 - COVERED, COVERED]) if len(some) else (1, 1)
     return LogNorm(low, max(high, 10 * low), clip=True)
 
 
 class _Plate:
-    """A figure of panels in rows, each with `below` pixels for words under its image, and `foot`
-    pixels for what holds for all; `shape` is an image's height over its width."""
+    """A figure of panels in rows: `below` pixels for text under each image, `foot` pixels for the
+    common legend; `shape` is the height of an image over its width."""
 
     def __init__(self, count, below, foot=0, shape=1.0):
         columns = min((4, 3), key=lambda c: -count % c)
@@ -175,13 +175,13 @@ class _Plate:
         _bar(axes, norm, colormap, values).set_label(label, fontsize=8)
 
     def neutral(self, label):
-        """A legend entry of the colour of what is undefined."""
+        """A legend entry for NEUTRAL, the colour of undefined values."""
         handles = [Patch(color=NEUTRAL, label=label)]
         self.foot.axes(0, 0, *self.foot.size).legend(handles=handles, loc="right", fontsize=8)
 
 
 class _Panel:
-    """A place for an image of `size` (width, height), everything in pixels."""
+    """The place of an image of `size` (width, height), in pixels."""
 
     def __init__(self, figure, left, bottom, size):
         self.figure, self.left, self.bottom, self.size = figure, left, bottom, size
@@ -193,7 +193,7 @@ class _Panel:
         return [_Panel(self.figure, left, self.bottom, (half, self.size[1])) for left in lefts]
 
     def axes(self, left, bottom, width, height):
-        """Axes, not yet seen, at a place counted from the lower left corner."""
+        """Invisible axes, placed relative to the lower left corner."""
         whole = np.array([PAGE, self.figure.bbox.height] * 2)
         place = np.array([self.left + left, self.bottom + bottom, width, height])
         axes = self.figure.add_axes(place / whole)
@@ -224,7 +224,7 @@ class _Panel:
 
 
 def _bar(axes, norm, colormap, values):
-    """A colour bar that fills the axes, with an arrow at each end that some value lies beyond."""
+    """A colour bar that fills the axes, with an arrow at each end that some value exceeds."""
     axes.axis("on")
     slack = ROUNDING * np.abs([norm.vmin, norm.vmax])
     low, high = (values < norm.vmin - slack[0]).any(), (values > norm.vmax + slack[1]).any()

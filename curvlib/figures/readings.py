@@ -12,13 +12,13 @@ PALE = "0.86"
 
 @in_style
 def specification_curve(claims, readings, claim, surfaces, limit=None, marked=None) -> Figure:
-    """One claim in every reading and cut, sorted by effect; below, the choices that each makes.
+    """One claim in every reading and cut, sorted by effect, above the choices that each makes.
 
-    `claims`: claims.csv; `readings`: reading -> {option: value}, those to show; `claim`: its row
-    of claims-summary.csv; `surfaces`: those over which the median effect is taken, and grey bars
-    from the lower to the upper quartile; `limit`: the effect at which the claim turns, None or NaN
-    without one; `marked`: reading -> label, to be pointed out on the paper's grid where they are
-    shown. A point's colour is the verdict on more than half of the surfaces, black where none is.
+    `claims`: claims.csv; `readings`: reading -> {option: value}, the ones shown; `claim`: its row
+    of claims-summary.csv; `surfaces`: for the median effect and its quartiles, drawn as grey bars;
+    `limit`: the effect at which the verdict changes, or None or NaN; `marked`: reading -> label, to
+    be marked on the paper's cut if it is shown. A point has the colour of the verdict on more than
+    half of the surfaces, black if there is none.
     """
     cells = claims[(claims.claim == claim.claim) & claims.surface.isin(surfaces)]
     cells = cells[cells.reading.isin(readings)]
@@ -58,13 +58,13 @@ def specification_curve(claims, readings, claim, surfaces, limit=None, marked=No
 
 
 def _majority(verdicts):
-    """The verdict of more than half, if there is one."""
+    """The verdict on more than half, else NO_MAJORITY."""
     most = max(VERDICTS, key=list(verdicts).count)
     return most if 2 * list(verdicts).count(most) > len(verdicts) else NO_MAJORITY
 
 
 def _curve(axes, curve, limit):
-    """Medians coloured by verdict, bars between the quartiles, a line where the claim turns."""
+    """Medians coloured by verdict, bars between the quartiles, a line at the limit."""
     x = np.arange(len(curve))
     for verdict, colour in (VERDICTS | {NO_MAJORITY: "black"}).items():
         of = curve.verdict == verdict
@@ -100,12 +100,12 @@ def _choices(axes, choices, rows):
 
 
 def _width(combinations):
-    """Points that one of them takes, or a little more, lest gaps show between neighbours."""
+    """Width in points of a combination, a little more than its share, lest gaps show."""
     return 450 / max(len(combinations), 100)
 
 
 def _mark(above, below, place, effect, label, height):
-    """Point out one combination: a line through both panels, a ring on the curve, its label."""
+    """Mark one combination: a line through both panels, a ring on the curve, a label."""
     for axes in (above, below):
         axes.axvline(place, color="black", linewidth=0.6, zorder=2.5)
     above.plot(place, effect, "o", markerfacecolor="none", markeredgecolor="black", markersize=7)
@@ -129,6 +129,6 @@ def _options(readings):
 
 
 def _values(choices, readings, option):
-    """Values of an option in the order of the readings; of the cut in that of their names."""
+    """Values of an option in the order of the readings; cuts in alphabetical order."""
     order = [r[option] for r in readings.values() if option in r]
     return dict.fromkeys(order or sorted(c[option] for c in choices))

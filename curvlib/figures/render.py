@@ -1,4 +1,4 @@
-"""Triangles and lines to pixels without a screen: by VTK, or by matplotlib where VTK cannot."""
+"""Offscreen rendering of triangles and lines, by VTK or, where it has no OpenGL, by matplotlib."""
 
 import os
 import signal
@@ -11,9 +11,9 @@ import numpy as np
 from curvlib.errors import check_name
 
 CHOICE = "CURVLIB_RENDERER"  # in the environment: vtk or matplotlib, instead of a probe
-TIMEOUT = 120  # seconds for the probe, on a machine that has much else to do
-FINER = 3  # pixels of the raster per pixel of the image, each way
-SMALL = 4000  # triangles, at least, that the painter's algorithm sorts
+TIMEOUT = 120  # seconds for the probe, enough on a busy machine
+FINER = 3  # supersampling: pixels of the raster per pixel of the image, each way
+SMALL = 4000  # triangles are subdivided to at least so many before the painter's algorithm
 
 PROBE = """
 import numpy as np
@@ -25,11 +25,10 @@ assert image[-4, 4].max() == 0 and image[4, -4].min() == 255, "its pixels are wr
 
 
 class Scene(NamedTuple):
-    """What is in front of the eye, on white: x to the right and y up in pixels from the lower
-    left corner, z towards the eye in pixels too.
+    """A scene on white in pixels: x to the right, y up from the lower left corner, z to the eye.
 
-    `size` (width, height); `triangles` (F, 3, 3); `colours` (F, 3, 3) the RGB from 0 to 1 of
-    their corners, light and all; `lines` (S, 2, 3), drawn in `ink`, `width` pixels wide.
+    `size` (width, height); `triangles` (F, 3, 3); `colours` (F, 3, 3): RGB from 0 to 1 at their
+    corners, shading included; `lines` (S, 2, 3), drawn in `ink`, `width` pixels wide.
     """
 
     size: tuple
@@ -41,10 +40,10 @@ class Scene(NamedTuple):
 
 
 def renderer():
-    """The function that draws a Scene, (height, width, 3) uint8; says which it is, on stderr.
+    """The function that draws a Scene, (height, width, 3) uint8; its name is printed to stderr.
 
-    Where there is no OpenGL, VTK ends the process that asks it: a child asks first. Raises
-    InputError where the environment chooses one that does not exist.
+    Without OpenGL, VTK ends the process, so that a child process probes it first. Raises InputError
+    for an unknown name in the environment variable.
     """
     if chosen := os.environ.get(CHOICE):
         check_name("renderer", chosen, RENDERERS, CHOICE)
@@ -58,7 +57,7 @@ def renderer():
 
 
 def _trouble():
-    """What is wrong with VTK here, in words, or None."""
+    """The reason why VTK cannot be used, or None."""
     try:
         command = [sys.executable, "-c", PROBE]
         done = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT)
@@ -77,7 +76,7 @@ def _trouble():
 def by_vtk(scene: Scene) -> np.ndarray:
     """The image of a scene by VTK's depth buffer."""
     if sys.platform == "linux":
-        # Else VTK first looks for a screen, and warns.
+        # By default VTK looks for a screen first, and warns.
         os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
     import pyvista
 
@@ -108,7 +107,7 @@ def by_vtk(scene: Scene) -> np.ndarray:
 
 
 def by_matplotlib(scene: Scene) -> np.ndarray:
-    """The image of a scene by the painter's algorithm: what is farther away is drawn first."""
+    """The image of a scene by the painter's algorithm: farther triangles are drawn first."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.collections import TriMesh
     from matplotlib.figure import Figure
@@ -118,7 +117,7 @@ def by_matplotlib(scene: Scene) -> np.ndarray:
     while len(corners) < SMALL:
         corners, lines = _quarters(corners), _halves(lines)
     depth = np.concatenate([corners[..., 2].mean(1), np.repeat(_in_front(lines, corners), 2)])
-    # Its triangles come out wider by half a pixel of the raster on every side.
+    # Agg draws triangles wider by half a pixel of the raster on every side.
     inked = np.insert(_ribbons(lines, scene.width - 1 / FINER), [3, 3, 3], scene.ink, axis=-1)
     corners = np.concatenate([corners, inked])[np.argsort(depth, kind="stable")].reshape(-1, 6)
     figure = Figure(figsize=scene.size, dpi=FINER)
@@ -133,7 +132,7 @@ def by_matplotlib(scene: Scene) -> np.ndarray:
 
 
 def _in_front(lines, triangles):
-    """Depths at which lines come after the triangles that meet at them."""
+    """Depths that sort lines after the triangles that meet there."""
     lengths = np.linalg.norm(lines[:, 1] - lines[:, 0], axis=-1)
     steepest = np.ptp(triangles[..., 2], axis=1).max()
     return lines[..., 2].mean(1) + np.minimum(lengths, steepest)

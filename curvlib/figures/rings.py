@@ -15,7 +15,7 @@ ABSENT = "not in this study"
 
 @in_style
 def rings_plot(rings, slopes, variants, quantity: str) -> Figure:
-    """Error against ring size on a quadric, a line per valence, at whose end its order stands.
+    """Error against ring size on quadrics, a line per valence, labelled with its order.
 
     `slopes`: rings.csv; `variants`: (estimator, variant, label) of the columns. Regular rings in
     the upper row, irregular ones in the lower.
@@ -28,7 +28,7 @@ def rings_plot(rings, slopes, variants, quantity: str) -> Figure:
     panels = figure.subplots(2, len(variants), sharex=True, sharey=True, squeeze=False)
     figure.subplots_adjust(left=0.115, right=0.915, bottom=0.1, top=0.95, wspace=0.45, hspace=0.1)
     valences = sorted(rings.valence.unique())
-    # Only so far as the colours are dark enough for text.
+    # The dark part of the colormap, legible as text.
     shades = matplotlib.colormaps["plasma"](np.linspace(0, 0.62, len(valences)))
     rings, slopes = (t[t.quantity == quantity] for t in (rings, slopes))
     key = ["estimator", "variant", "ring"]
@@ -46,7 +46,7 @@ def rings_plot(rings, slopes, variants, quantity: str) -> Figure:
             axes.tick_params(labelsize=7.5)
             axes.grid(True, which="major", color="0.92", linewidth=0.6)
         row[0].set_ylabel(f"{kind} rings", fontsize=8.5)
-    # Towards the right rings shrink, as meshes are refined in the plots of errors.
+    # h falls to the right, so that refinement runs as in the error plots.
     panels[0][0].invert_xaxis()
     for axes in panels.flat:
         _label_ends(axes, "valence: p")
@@ -58,7 +58,7 @@ def rings_plot(rings, slopes, variants, quantity: str) -> Figure:
 
 
 def _label_ends(axes, heading, step=0.075):
-    """The labels of lines beside their right ends, `step` of the axes apart at least."""
+    """Label lines beside their right ends, at least `step` of the axes apart."""
     lines = [line for line in axes.lines if np.isfinite(line.get_ydata()).any()]
     ends = [axes.transData.transform(line.get_xydata()[-1]) for line in lines]
     if not ends:

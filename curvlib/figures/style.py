@@ -1,4 +1,4 @@
-"""What all pictures share: how they look, and how they are saved; the same bytes each time."""
+"""Style and saving of all figures; the same bytes each time."""
 
 from pathlib import Path
 from textwrap import wrap
@@ -7,10 +7,10 @@ import matplotlib
 
 from curvlib.files import whole_file
 
-# A decorator of what draws: its settings hold inside, and nobody else's matplotlib changes.
+# A decorator of drawing functions, whose settings end with the call.
 in_style = matplotlib.rc_context(
     {
-        "svg.hashsalt": "curvlib",  # names of SVG elements from this salt instead of at random
+        "svg.hashsalt": "curvlib",  # a fixed salt for the ids of SVG elements, random by default
         "font.size": 9,
         "axes.spines.top": False,
         "axes.spines.right": False,
@@ -32,8 +32,8 @@ def save(figure, path) -> None:
 
 
 def in_lines(words, most):
-    """Words in as few lines of at most `most` letters as hold them, all about as long; powers and
-    signs as printed."""
+    """Text broken into as few lines of at most `most` letters as possible, of about equal length;
+    powers and minus signs are typographic."""
     words = words.replace("^2", "²").replace(" -", " \N{MINUS SIGN}")
     whole = {"break_long_words": False, "break_on_hyphens": False}
     tries = [wrap(words, width, **whole) for width in range(1, most + 1)]

@@ -13,8 +13,8 @@ from .style import in_style
 def throughput_plot(table, modules) -> Figure:
     """Vertices per second against vertices, one thread, log-log; a panel per kind of mesh.
 
-    `modules`: those of the estimators, by name, for label and style; other methods are black.
-    Grey: what the arctangents or one copy of the mesh alone would allow.
+    `modules`: the estimators' modules by name, for label and style; other methods are black.
+    Grey lines are the LIMITS: arctangents alone, or one copy of the mesh.
     """
     kinds = list(dict.fromkeys(table.mesh))
     others = [m for m in dict.fromkeys(table.method) if m not in modules and m not in LIMITS]

@@ -6,7 +6,7 @@ from matplotlib.patches import Rectangle
 
 from .style import in_lines, in_style
 
-# True, undecided, false: told apart by lightness too.
+# These colours differ in lightness too.
 VERDICTS = {"true": "#0072B2", "undecided": "#999999", "false": "#D55E00"}
 
 

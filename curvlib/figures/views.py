@@ -1,4 +1,4 @@
-"""A mesh before the eye: camera, light, colours, iso-parameter lines; what `render` draws."""
+"""From a mesh to a Scene of `render`: camera, light, colours, iso-parameter lines."""
 
 import numpy as np
 
@@ -15,9 +15,9 @@ LINES = 10  # of constant u, and of constant v
 
 
 class View:
-    """A mesh seen from far away, as large as an image of `size` (width, height) pixels allows.
+    """An orthographic view of a mesh that fits an image of `size` (width, height) pixels.
 
-    `up`: the axis that points up; `part` ((u0, u1), (v0, v1)): what the image has to hold, None
+    `up`: the axis that points up; `part` ((u0, u1), (v0, v1)): the part of the domain to fit, None
     for all.
     """
 
@@ -38,9 +38,9 @@ class View:
         self.points = (points - (low + high) / 2) * scale + middle
 
     def scene(self, colours=None, edges=None, flat=False, ambient=0.25, width=1.0) -> Scene:
-        """What to draw: `colours` (V, 3) of the vertices, or clay, another inside than outside;
-        `edges` (S, 2) pairs of vertices to join by lines of some `width`; light that is `ambient`
-        to that part; facets shaded each by itself if `flat`."""
+        """The Scene: `colours` (V, 3) of the vertices, or None for CLAY outside and INSIDE inside;
+        `edges` (S, 2), pairs of vertices joined by lines of `width`; `ambient`, the share of
+        ambient light; `flat` shading or smooth."""
         faces = self.mesh.faces
         triangles = self.points[faces]
         a, b, c = triangles.swapaxes(0, 1)
@@ -51,7 +51,7 @@ class View:
             smooth = (self.mesh.normals @ self.axes.T)[faces]
             normals = np.where(np.isfinite(smooth), smooth, normals)
         outside = facets[..., 2:] > 0
-        # From 0 on the side that is turned away to 1: no part is without form.
+        # Half Lambert, from 0 to 1: shading also on the side turned away from the light.
         light = (1 + np.where(outside, normals, -normals) @ LIGHT[:, None]) / 2
         own = np.where(outside, CLAY, INSIDE) if colours is None else colours[faces]
         lines = self.points[np.zeros((0, 2), dtype=int) if edges is None else edges]
@@ -71,7 +71,7 @@ def iso_lines(mesh, n: int):
     pairs, kept = edges(mesh), False
     rows = [np.unique(t, return_inverse=True, return_counts=True)[1:] for t in mesh.uv.T]
     for (row, _), (across, count) in zip(rows, rows[::-1]):
-        # Where the lines of the other parameter shrink to one vertex, all lines of this one meet.
+        # At a pole all lines of this parameter meet in one vertex.
         pole = (count[across] == 1)[pairs]
         row = np.where(pole, -1, row[pairs])
         start, end = row.T

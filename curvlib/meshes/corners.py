@@ -1,11 +1,11 @@
-"""From faces to one-rings: corners dealt out by vertex, and walked around each.
+"""From faces to one-rings: sort corners by vertex, then walk around each vertex.
 
-A corner is a vertex of a face; the two vertices that follow it there are its pair, packed into
-one integer as next * 2^32 + last. A radix pass deals the corners out to buckets of consecutive
-vertices, so that sorting and walking stay in cache, however the faces come. Parts of the faces,
-and buckets, are independent of each other.
+A corner is a vertex of a face; the two vertices that follow it in the face are its pair, packed
+into one integer as next * 2^32 + last. A radix pass scatters the corners to buckets of consecutive
+vertices, so that sorting and walking stay in cache for any order of faces. Parts of the faces are
+independent of each other, and so are buckets.
 
-A face that names a vertex twice covers nothing and has no corners.
+A face that names a vertex twice has no area and no corners.
 """
 
 import numpy as np
@@ -14,12 +14,12 @@ from curvlib.errors import InputError
 from curvlib.kit.compiled import compiled
 from curvlib.parallel import for_each
 
-# 2^SHIFT vertices make a bucket, whose corners stay in cache: at most 16, since a bucket counts
-# its vertices in 16 bits.
+# 2^SHIFT vertices make a bucket, whose corners stay in cache. SHIFT is at most 16: places in a
+# bucket are uint16.
 SHIFT = 14
 PART = 65536  # faces
 LAST = (1 << 32) - 1
-# From this valence on the next pair is looked up in a hash table instead of in all pairs.
+# From this valence on the walk finds the next pair by a hash table instead of a linear search.
 MANY = 64
 
 
@@ -27,10 +27,10 @@ def one_rings(faces, total, threads: int = 1):
     """Closed one-rings of the vertices of faces (F, 3): list of (vertices (m,), neighbours (n, m)),
     int32, in batches of equal valence n.
 
-    `total`: the number of vertices; Mesh sees to it that int32 counts them and the corners.
-    InputError where a face refers to no vertex.
+    `total`: the number of vertices; Mesh checks that int32 counts them and the corners. Raises
+    InputError if a face refers to no vertex.
     """
-    # One array type, so that one machine code serves all meshes.
+    # Read only as the faces of a Mesh: one array type, compiled once.
     faces = faces.view()
     faces.flags.writeable = False
     parts = [slice(k, k + PART) for k in range(0, len(faces), PART)]
@@ -44,7 +44,7 @@ def one_rings(faces, total, threads: int = 1):
         # First touch: each thread faults in its own pages before all threads scatter into them.
         own = slice(3 * parts[part].start, 3 * parts[part].stop)
         owners[own][::2048], pairs[own][::512] = 0, 0
-        # Mesh has checked its faces, but their array may have been written to since.
+        # Mesh has checked its faces; without a copy the caller may have written to them since.
         if not _count(faces[parts[part]], total, SHIFT, counts[part]):
             raise InputError("faces: changed since the mesh was made, to what is no vertex")
 
@@ -61,7 +61,7 @@ def one_rings(faces, total, threads: int = 1):
         return list(_batches(ordered, begin, valence, first, neighbours[own]))
 
     for_each(count, range(len(parts)), threads)
-    # By bucket, then by part: a vertex has its corners in the order of the faces.
+    # Ordered by bucket, then by part, so that the corners of a vertex keep the order of the faces.
     counts.T.cumsum(out=places[1:])
     starts = places[:-1].reshape(counts.shape[::-1]).T.copy()
     for_each(deal, range(len(parts)), threads)
@@ -71,7 +71,7 @@ def one_rings(faces, total, threads: int = 1):
 
 
 def _table(valence):
-    """Room for `_walk_by_table` at the largest valence n: less than 4 n slots, and n pairs."""
+    """Memory for `_walk_by_table` at the largest valence n: fewer than 4 n slots, and n pairs."""
     largest = int(valence.max(initial=0))
     return np.empty(5 * largest if largest >= MANY else 0, dtype=np.int64)
 
@@ -98,8 +98,8 @@ def _covers(a, b, c):
 
 @compiled
 def _count(faces, total, shift, counts):
-    """Add to counts (buckets,) the corners of faces (F, 3) that lie in each bucket; whether all
-    refer to one of a total of vertices."""
+    """Add the corners of faces (F, 3) per bucket to counts (buckets,); False if an index is
+    not in 0 ... total - 1."""
     for f in range(len(faces)):
         a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
         if min(a, b, c) < 0 or max(a, b, c) >= total:
@@ -113,8 +113,8 @@ def _count(faces, total, shift, counts):
 
 @compiled
 def _deal(faces, shift, places, owners, pairs):
-    """Scatter the corners' vertices, counted in their bucket, and pairs, (corners,) each, to
-    places (buckets,) on, which move along."""
+    """Scatter vertices, relative to their bucket, and pairs of the corners, (corners,) each, from
+    places (buckets,) on, which advance."""
     for f in range(len(faces)):
         if _covers(faces[f, 0], faces[f, 1], faces[f, 2]):
             for c in range(3):
@@ -127,8 +127,8 @@ def _deal(faces, shift, places, owners, pairs):
 
 @compiled
 def _by_vertex(owners, pairs, begin, place, ordered):
-    """Counting sort of the pairs by vertex: sets `ordered`, and `begin` (vertices + 1,) to where
-    the pairs of each vertex begin there. `place` (vertices,) is overwritten."""
+    """Counting sort of the pairs by vertex: sets `ordered`, and `begin` (vertices + 1,) to the
+    first pair of each vertex there. `place` (vertices,) is overwritten."""
     for row in range(len(owners)):
         begin[owners[row] + np.uint32(1)] += 1
     for v in range(len(place)):
@@ -142,8 +142,8 @@ def _by_vertex(owners, pairs, begin, place, ordered):
 
 @compiled
 def _close(pairs, begin, table, valence):
-    """Bring the pairs of each vertex into the order of a walk around it; where they do not close
-    to one ring, set its valence to zero."""
+    """Order the pairs of each vertex as a walk around it; set the valence to zero where they do
+    not close to one ring."""
     for v in range(len(valence)):
         own = pairs[begin[v] : begin[v + 1]]
         if len(own) >= 3 and (_walk(own) if len(own) < MANY else _walk_by_table(own, table)):
@@ -154,7 +154,7 @@ def _close(pairs, begin, table, valence):
 
 @compiled
 def _walk(pairs):
-    """Bring the pairs of a vertex into the order of a walk; whether it came by all and back."""
+    """Order the pairs of a vertex as a walk; whether that visits all and closes."""
     n, start = len(pairs), pairs[0] >> 32
     for i in range(1, n):
         vertex = pairs[i - 1] & LAST
@@ -167,7 +167,7 @@ def _walk(pairs):
 
 @compiled
 def _find(vertex, pairs, place):
-    """The first place from this one on of a pair that starts with a vertex, or else the end."""
+    """The first place, from `place` on, of a pair that starts with `vertex`, else len(pairs)."""
     while place < len(pairs) and pairs[place] >> 32 != vertex:
         place += 1
     return place
@@ -175,8 +175,8 @@ def _find(vertex, pairs, place):
 
 @compiled
 def _walk_by_table(pairs, table):
-    """As `_walk`, in O(n): the table holds where the pair of each vertex is, by open addressing,
-    and behind that the walk, since it may turn out not to close."""
+    """As `_walk`, in O(n). The table maps a vertex to its pair, by open addressing; behind it the
+    walk is collected, since the table refers to places in `pairs`."""
     n, bits = len(pairs), 1
     while 1 << bits < 2 * n:
         bits += 1
@@ -201,8 +201,8 @@ def _walk_by_table(pairs, table):
 
 @compiled
 def _slot(vertex, pairs, table, bits):
-    """Where a vertex is in a table of 2^bits, or the empty slot where it would be (Fibonacci
-    hashing, Knuth, volume 3, section 6.4)."""
+    """The slot of a vertex in a table of 2^bits, or the empty slot for it (Fibonacci hashing,
+    linear probing: Knuth, volume 3, section 6.4)."""
     slot = (vertex * 2654435769 & LAST) >> (32 - bits)
     while table[slot] >= 0 and pairs[table[slot]] >> 32 != vertex:
         slot = (slot + 1) & ((1 << bits) - 1)
@@ -211,10 +211,10 @@ def _slot(vertex, pairs, table, bits):
 
 @compiled
 def _scatter(pairs, begin, valence, first, m, at, slot, vertices, neighbours):
-    """Write each closed ring into its batch.
+    """Scatter each closed ring into its batch.
 
-    Of each valence n there are `m` rings; `at` and `slot` (n,) are where its m vertices begin in
-    `vertices` and its (n, m) neighbours in `neighbours`; both move along.
+    m[n] rings have valence n; their vertices begin at at[n] in `vertices`, their (n, m) neighbours
+    at slot[n] in `neighbours`; both advance.
     """
     for v in range(len(valence)):
         n = valence[v]

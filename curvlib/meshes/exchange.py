@@ -1,4 +1,4 @@
-"""A mesh from what other libraries hold, with their points in their order."""
+"""Meshes from the objects of other libraries, with their points in their order."""
 
 import warnings
 from os import PathLike
@@ -9,22 +9,22 @@ from curvlib.errors import InputError, MeshWarning
 
 from .mesh import Mesh
 
-# Cell types of VTK that cover nothing, and its triangle.
+# Cell types of VTK without area, and its triangle.
 NO_AREA, TRIANGLE = {0, 1, 2, 3, 4}, 5
-# Bits of the cell data vtkGhostType: there twice, or hidden.
+# Bits of the cell data vtkGhostType: duplicate cell, hidden cell.
 GHOST = 1 | 32
-# A float32 coordinate that is coarser than this part of an edge makes curvature a matter of chance.
+# Where float32 coordinates are coarser than this part of an edge, rounding decides curvature.
 COARSE = 0.01
 
 
 def as_mesh(obj) -> Mesh:
-    """`obj` if it is a Mesh, else one from (vertices, faces) or from another library's object.
+    """A Mesh from (vertices, faces) or from another library's object; a Mesh is returned as it is.
 
-    A mesh of trimesh or meshio, a PolyData or UnstructuredGrid, or what pyvista wraps into one.
-    Triangles keep their points, in their order; lines and points beside them are left out, and
-    so are ghost cells. Point normals are taken along. A new Mesh shares the arrays.
+    The object is a mesh of trimesh or meshio, a PolyData or UnstructuredGrid, or one that pyvista
+    wraps into these. Points keep their order; lines, points and ghost cells are left out; point
+    normals become the mesh's. A new Mesh shares the arrays.
 
-    Raises InputError where that is no triangle mesh; the message says what makes one of it.
+    Raises InputError for anything but a triangle mesh; the message says how to convert it.
     """
     if isinstance(obj, Mesh):
         return obj
@@ -70,7 +70,7 @@ def _arrays(obj):
 
 
 def _of_cells(name, points, cells, triangle, without_area):
-    """As `_arrays`, of cells by their type: triangles, beside what has no area."""
+    """As `_arrays`, from cells by type: triangles; cells without area are left out."""
     others = {str(kind) for kind in cells if kind != triangle and kind not in without_area}
     if triangle not in cells or others:
         found = f"cells of type {', '.join(sorted(others))}" if others else "no triangles"
@@ -83,7 +83,7 @@ def _of_cells(name, points, cells, triangle, without_area):
 
 
 def _of_polydata(data):
-    """As `_arrays`, of a PolyData."""
+    """As `_arrays`, from a PolyData."""
     faces = np.asarray(data.faces)
     if data.n_strips or len(faces) % 4 or (faces[::4] != 3).any():
         raise InputError(
@@ -92,7 +92,7 @@ def _of_polydata(data):
     faces = faces.reshape(-1, 4)[:, 1:]
     ghosts = data.cell_data.get("vtkGhostType")
     if ghosts is not None:
-        # Cells are counted points first, then lines, then faces.
+        # Cell data is ordered: points, lines, faces.
         first = data.n_verts + data.n_lines
         faces = faces[(np.asarray(ghosts)[first:] & GHOST) == 0]
     normals = data.point_data.active_normals
@@ -100,7 +100,7 @@ def _of_polydata(data):
 
 
 def _warn_of_coarse_coordinates(given, mesh):
-    """float32 far from the origin keeps few digits of an edge: say so."""
+    """Warn of float32 coordinates far from the origin, which keep few digits of an edge."""
     if given.dtype != np.float32 or not len(mesh.faces):
         return
     some = mesh.vertices[mesh.faces[:: 1 + len(mesh.faces) // 1000]]

@@ -24,7 +24,7 @@ FLAGS = ("smooth", "pole")
 # Rings are stored as 32-bit indices.
 MOST_VERTICES = 1 << 31
 
-# Normals that are of length 1 to this are left as they are.
+# Normals within this of unit length are not rescaled.
 UNIT = 1e-12
 
 
@@ -38,7 +38,7 @@ class Mesh:
     faces : array_like of int, (F, 3)
         Vertex indices, counter-clockwise seen from outside.
     copy : bool
-        False keeps the caller's arrays, which must not change as long as the mesh is in use.
+        False shares the caller's arrays, which must not change while the mesh is in use.
     **fields : array_like, optional
         `uv` (V, 2); `normals` (V, 3), pointing outward, brought to unit length; exact values,
         pointwise: `K`, `H`, `k1`, `k2` (V,), the principal directions `d1`, `d2` (V, 3) unit;
@@ -68,12 +68,12 @@ class Mesh:
         count = len(self.vertices)
         if max(count, 3 * len(self.faces)) >= MOST_VERTICES:
             raise InputError(f"mesh: more than {MOST_VERTICES} vertices or corners of faces")
-        # Not a sum, which may overflow where all is finite.
+        # A test of the sum would fail on finite values that overflow.
         finite = np.isfinite(self.vertices)
         if not finite.all():
             row = int(np.argmin(finite)) // 3
             raise InputError(f"vertices: vertex {row} has a coordinate that is not finite")
-        indices = self.faces.view(np.uintp)  # a negative one is large without its sign
+        indices = self.faces.view(np.uintp)  # unsigned, a negative index is large
         if indices.size and indices.max() >= count:
             row = int(np.argmax(indices >= count)) // 3
             raise InputError(
@@ -87,7 +87,7 @@ class Mesh:
 
     @property
     def vertices(self) -> np.ndarray:
-        """(V, 3) float64, read only; a mesh with others is another: see `moved`."""
+        """(V, 3) float64, read only; `moved` makes a mesh with others."""
         return self._vertices
 
     @property
@@ -99,22 +99,30 @@ class Mesh:
         return f"<Mesh of {len(self.vertices)} vertices, {len(self.faces)} faces>"
 
     def moved(self, vertices) -> "Mesh":
-        """The mesh with its vertices elsewhere: faces, rings and normals stay, exact values do
-        not hold any more."""
+        """A mesh with the same faces, rings and normals, other vertices and no exact values.
+
+        Parameters
+        ----------
+        vertices : array_like of float, (V, 3)
+
+        Returns
+        -------
+        Mesh
+        """
         mesh = Mesh(vertices, self.faces, normals=self.normals)
         mesh._rings = self.rings
         return mesh
 
     @property
     def H2(self) -> np.ndarray | None:
-        """H^2, (V,), which the paper's library holds; None without H."""
+        """H^2, (V,), in 1/length^2, as in the paper's library; None without H."""
         return None if self.H is None else self.H * self.H
 
     @cached_property
     def boundary(self) -> np.ndarray:
         """(V,) bool: the vertex lies on an edge of one face only.
 
-        A face that names a vertex twice covers nothing and counts as none.
+        A face that names a vertex twice has no area and is left out.
         """
         a, b, c = self.faces.T
         faces = self.faces[(a != b) & (b != c) & (c != a)]
@@ -128,7 +136,7 @@ class Mesh:
 
     @cached_property
     def unit(self) -> float:
-        """The power of two that lengths of its rings are multiplied by (curvlib.kit.batch.unit)."""
+        """The power of two by which lengths of rings are multiplied (curvlib.kit.batch.unit)."""
         from ..kit.batch import unit
 
         return unit(self.vertices)
@@ -138,13 +146,13 @@ class Mesh:
         """Closed one-rings in batches of equal valence n: list of (vertices (m,), neighbours
         (n, m)), int32; a valence may have several batches.
 
-        Neighbours run counter-clockwise. Vertices whose triangles do not close to exactly one
-        cycle are in no batch.
+        Neighbours run counter-clockwise seen from outside. Vertices whose triangles do not close to
+        exactly one ring are in no batch.
         """
         return self.find_rings()
 
     def find_rings(self, threads: int = 1) -> list:
-        """`rings`, found by several threads if they are not known yet."""
+        """`rings`, found by `threads` threads at the first call."""
         if self._rings is None:
             from .corners import one_rings
 
@@ -168,7 +176,7 @@ def _frozen(array):
 
 
 def _numbers(name, value, kind, copy):
-    """A C-contiguous array of float or int; InputError where there is none of it."""
+    """A C-contiguous array of float or int; InputError for anything else."""
     try:
         array = np.asarray(value)
     except (TypeError, ValueError) as error:
@@ -181,7 +189,7 @@ def _numbers(name, value, kind, copy):
 
 
 def _field(name, value, shape, copy):
-    """A field of a mesh, checked and read only; None stays None."""
+    """A field of a mesh, checked and read only; None where `value` is None."""
     if value is None:
         return None
     if name in FLAGS:

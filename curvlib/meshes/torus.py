@@ -1,11 +1,11 @@
-"""A torus as fine as one likes, for measuring and testing."""
+"""A torus of any resolution, for measurements and tests."""
 
 import numpy as np
 
 
 def torus(side: int, kind: str, seed: int = 0):
-    """Vertices (side^2, 3) and faces of a torus with radii 2 and 1: kind "regular" from a grid
-    in its angles, "irregular" from the Delaunay triangles of that grid's jittered points."""
+    """Vertices (side^2, 3) and faces of a torus with radii 2 and 1: a grid in its angles for
+    "regular", the Delaunay triangles of the jittered grid for "irregular"."""
     i, j = np.divmod(np.arange(side * side), side)
     points = np.stack((i, j), -1).astype(float)
     if kind == "irregular":
@@ -28,7 +28,8 @@ def _grid(points, side):
 def _delaunay(points, side):
     from scipy.spatial import Delaunay
 
-    # The period and a margin of its copies; of each triangle's copies the one inside is kept.
+    # Periodic Delaunay: triangulate the points with a margin of copies, and keep of each
+    # triangle's copies the one whose centre lies in the period.
     cell = np.stack(np.meshgrid(*[np.arange(-3, side + 3)] * 2, indexing="ij"), -1).reshape(-1, 2)
     index = cell % side @ (side, 1)
     copies = points[index] + cell - cell % side

@@ -1,12 +1,12 @@
-"""Whether the one-sided values at a point of a surface are the same: only then is it C^2."""
+"""Whether the one-sided values at a point of a surface agree: only then is the surface C^2."""
 
 import numpy as np
 
-# Relative to the largest curvature, on top of AGREE_ROUNDED times the rounding of coordinates
-# (measured: up to 2.5 times on spheres and the teapot, 1e3 to 1e8 from the origin).
+# Tolerance relative to the largest curvature, plus AGREE_ROUNDED times the rounding of coordinates
+# (measured: up to 2.5 times, on spheres and the teapot at distances of 1e3 to 1e8).
 AGREE = 1e-9
 AGREE_ROUNDED = 10
-# The normals of Newell's teapot agree across its seams only to the 1e-8 or so of its rounded net.
+# The net of Newell's teapot is rounded, so that normals across its seams agree to about 1e-8.
 AGREE_NORMAL = 1e-6
 
 
@@ -21,13 +21,13 @@ def flat(net) -> float:
 
 
 def same(numbers, frame, net):
-    """Whether all values, and whether the normals, of all sides are the same, two (m,) bool.
+    """Whether all values of the sides agree, and whether their normals do, (m,) bool each.
 
     `numbers` (sides, 4, m) are K, H, k1, k2, `frame` (sides, 4, m, 3) is d1, d2, normal, point.
 
-    Along a joint with a common normal n, II(t, .) = -dn(t) is common for its tangent t, and the
-    trace 2 H gives the rest. Pieces may share the normal at this point alone, and then K and H
-    with different forms, so that the forms k1 d1 d1^T + k2 d2 d2^T are compared, too.
+    Along a joint of tangent t with a common normal n, the sides share II(t, .) = -dn(t), and with
+    it and the trace 2 H all of II. Where they share the normal at this point alone, K and H may
+    agree for different forms: the forms k1 d1 d1^T + k2 d2 d2^T are compared, too.
     """
     K, H, k1, k2 = numbers.swapaxes(0, 1)
     d1, _, n, _ = frame.swapaxes(0, 1)[..., None]

@@ -1,4 +1,4 @@
-"""Curvature of a surface: the values, and how they are to be understood."""
+"""Exact curvature at points of a surface: the values and their conventions."""
 
 from typing import NamedTuple
 

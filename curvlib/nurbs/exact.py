@@ -1,7 +1,7 @@
-"""Exact curvature in compiled loops: the polynomials of a surface at many points.
+"""Exact curvature in compiled loops: evaluate the polynomials of a surface at many points.
 
-Two nested Horner schemes, one-sided by the choice of span, and + - * / and square roots alone:
-the same bytes on every machine.
+Two nested Horner schemes; the choice of span makes values one-sided. Only + - * / and square roots
+are used, which IEEE 754 rounds correctly: the same bytes on every machine.
 """
 
 import numpy as np
@@ -13,8 +13,8 @@ from curvlib.kit.vectors import add, at, divide
 
 @compiled
 def side(breaks, closed, t, above):
-    """The span on one side of a parameter, and the parameter there: across a seam it is that of
-    the other end of the domain."""
+    """The span on one side of a parameter, and the parameter in that span: beyond a seam, the
+    other end of the domain."""
     last, span = len(breaks) - 2, -1
     while span <= last and (breaks[span + 1] < t or (above and breaks[span + 1] == t)):
         span += 1
@@ -75,8 +75,8 @@ def points(polynomials, closed, u, v):
 
 @compiled
 def curvatures(polynomials, closed, flat, u, v, above_u, above_v):
-    """K, H, k1 and k2, (4, m), and d1, d2, the normal and S, each (m, 3), on the named sides of
-    the points; NaN, but for S, where the surface is singular there. `flat` as in `kit.tensor`."""
+    """K, H, k1, k2 (4, m) and d1, d2, normal, S, each (m, 3), on the named sides of the points;
+    all but S are NaN where the surface is singular. `flat` as in `kit.tensor`."""
     m = len(u)
     numbers = np.empty((4, m))
     d1, d2, normal, point = np.empty((m, 3)), np.empty((m, 3)), np.empty((m, 3)), np.empty((m, 3))

@@ -1,7 +1,7 @@
-"""The control net of a NURBS surface: checked, clamped, and the topology of the surface.
+"""The control net of a NURBS surface, checked and clamped, and the topology of the surface.
 
-Seams and poles are found on the surface itself, along the edges of its domain: control points
-tell neither the weights of a rational surface nor the ends of one with unclamped knots.
+Seams and poles are found on the surface, along the edges of its domain. Control points alone do not
+determine them: weights count, and with unclamped knots the outer rows are not on the surface.
 """
 
 from bisect import bisect_left, bisect_right
@@ -12,15 +12,16 @@ from geomdl import abstract, helpers
 
 from curvlib.errors import InputError
 
-# Points are the same within SAME of the surface's size, or ROUNDINGS of the largest coordinate.
+# Points closer than SAME times the size of the surface, plus ROUNDINGS times the rounding of the
+# largest coordinate, are equal.
 SAME = 1e-12
 ROUNDINGS = 16
-# Coordinates rounded to more than this, relative to the size, leave curvature few digits.
+# Largest rounding of coordinates, relative to the size, that leaves curvature enough digits.
 TOO_FAR = 1e-5
 
 
 class Net:
-    """A control net with full multiplicity of both end knots: its outer rows are the control
+    """A control net with end knots of full multiplicity, so that its outer rows are the control
     points of the surface's edges.
 
     `degrees` and `knots`: of u and of v. `points` (nu, nv, 3), `weights` (nu, nv, 1).
@@ -61,7 +62,7 @@ class Net:
                 knots, net = _insert(degree, knots, net, end)
             first = bisect_right(knots, end) - 1 - degree
             knots, net = [end, *knots[first + 1 :]], net[first:]
-            # The other end, then back again.
+            # Reverse, for the other end; the second time this restores the order.
             knots, net = [-t for t in reversed(knots)], net[::-1]
         if knots != self.knots[axis]:
             net = net.swapaxes(0, axis)
@@ -69,7 +70,7 @@ class Net:
             self.points = net[..., :3] / self.weights
 
     def _find_edges(self, axis, where):
-        """Compare edges, and both sides of a knot that may tear the surface, as curves."""
+        """Find seams and poles; raise InputError where the sides of a knot are different curves."""
         basis = _samples(self.degrees[1 - axis], self.knots[1 - axis])
         points, weights = (a.swapaxes(0, axis) for a in (self.points, self.weights))
 
@@ -89,7 +90,7 @@ class Net:
         for end, edge in edges.items():
             if same(edge, edge[0]):
                 self.poles.append((axis, end))
-                # One point to the last bit: S_u beside it has a small relative error.
+                # Equal to the last bit, so that S_u beside the pole has a small relative error.
                 points[end] = points[end, 0]
 
 
@@ -118,7 +119,7 @@ def _read(model, where):
 
 
 def _insert(degree, knots, net, t):
-    """One more knot t, by Boehm's algorithm."""
+    """Insert a knot t by Boehm's algorithm."""
     span, count = bisect_right(knots, t) - 1, knots.count(t)
     i = np.arange(span - degree + 1, span - count + 1)
     start, end = np.take(knots, i), np.take(knots, i + degree)
@@ -129,8 +130,8 @@ def _insert(degree, knots, net, t):
 
 
 def _samples(degree, knots):
-    """The basis functions (m, n) at 2 degree + 1 points of each span: two rational curves of that
-    degree that agree at so many points of a span are the same there."""
+    """The basis functions (m, n) at 2 degree + 1 points of each span: rational curves of that
+    degree that agree there are equal on the span."""
     rows = []
     for low, high in pairwise(sorted(set(knots))):
         span = bisect_right(knots, low) - 1

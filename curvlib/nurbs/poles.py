@@ -1,6 +1,6 @@
-"""Exact curvature at a pole, where a line of the parameters is one point of the surface.
+"""Exact curvature at a pole, where an edge of the domain is one point of the surface.
 
-There S_u or S_v vanishes, and with it the formulas that hold elsewhere.
+S_u or S_v vanishes there, so that the formulas of regular points do not apply.
 """
 
 import numpy as np
@@ -11,7 +11,7 @@ from curvlib.kit.tensor import from_form
 from . import exact
 from .agreement import AGREE_NORMAL, flat, tolerance
 
-MERIDIANS = 7  # per knot span; three determine the form, the others test it
+MERIDIANS = 7  # per knot span: three determine the form, the others test it
 
 
 def at_pole(net, polynomials, axis, end):
@@ -26,7 +26,7 @@ def at_pole(net, polynomials, axis, end):
     around = (breaks[1 - axis][:-1, None] + spans * steps).ravel()
     edge = np.full_like(around, breaks[axis][end])
     u, v = (edge, around) if axis == 0 else (around, edge)
-    # No seam is crossed, not even where a pole lies at both ends of closed meridians.
+    # `closed` is False, so that no span beyond the pole is taken where meridians close there.
     sides = [[exact.side(b, False, x, True) for x in t] for b, t in zip(breaks, (u, v))]
     S = [exact.derivatives(polynomials, *a, *b) for a, b in zip(*sides)]
     S = np.moveaxis(S, 0, 1)
@@ -61,8 +61,8 @@ def at_pole(net, polynomials, axis, end):
 
 
 def _flatten(coefficients, axis, end, n):
-    """Turn the meridians' tangents into the plane across n: rounded coordinates that miss it by
-    an angle of 1e-10 give the surface a K of 1e-10 / r at a distance r from the pole."""
+    """Project the meridians' tangents onto the tangent plane of n: coordinates rounded by an angle
+    of 1e-10 would give the surface a K of 1e-10 / r at a distance r from the pole."""
     first = coefficients[end, :, 1] if axis == 0 else coefficients[:, end, :, 1]
     tangents = first[..., :3]
     tangents -= (tangents @ n)[..., None] * n

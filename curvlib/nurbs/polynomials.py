@@ -17,8 +17,8 @@ Polynomials = namedtuple(
 )
 Polynomials.__doc__ = """The polynomials of a surface, as compiled code takes them.
 
-`breaks_u` (spans + 1,), `centres_u` (spans,): where the spans of u end, and the parameter that
-their polynomials are about; of v likewise. `coefficients` (spans of u, spans of v, powers of u,
+`breaks_u` (spans + 1,), `centres_u` (spans,): the ends of the spans of u, and the parameters about
+which they are expanded; of v likewise. `coefficients` (spans of u, spans of v, powers of u,
 powers of v, 4): of w (S - origin) and w. `origins` (spans of u, spans of v, 3).
 """
 
@@ -33,8 +33,8 @@ def expand(net) -> Polynomials:
         for t, (j, basis_v) in enumerate(bases[1]):
             at = (slice(i, i + basis_u.shape[1]), slice(j, j + basis_v.shape[1]))
             points, weights = net.points[at], net.weights[at]
-            # Measured from its own corner, so that next to a pole S - origin, and with it S_u,
-            # is small with a small relative error.
+            # Relative to a corner of the span, the pole if there is one: next to it S - origin
+            # and S_u are small, with a small relative error.
             corner = (-1 if c[k] == b[-1] else 0 for c, b, k in zip(centres, breaks, (s, t)))
             origin = points[tuple(corner)]
             local = np.concatenate(((points - origin) * weights, weights), -1)

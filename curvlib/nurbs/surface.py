@@ -1,4 +1,4 @@
-"""A NURBS surface with its exact curvature: everywhere, at poles, on seams and knot lines."""
+"""A NURBS surface with its exact curvature, also at poles, on seams and on knot lines."""
 
 import itertools
 import reprlib
@@ -17,13 +17,15 @@ from .polynomials import expand
 class Surface:
     """A NURBS surface S(u, v) with its exact curvature.
 
+    Its normal is along S_u x S_v; H > 0 where the surface bends away from it.
+
     Parameters
     ----------
     model : geomdl.NURBS.Surface or geomdl.BSpline.Surface
         Control points in three dimensions, positive weights (without any they are one), and
         knots, clamped or not: the domain of degree p and knots U is [U_p, U_-p-1].
     name, label : str, optional
-        Its names in files and messages, and in legends.
+        Its name in files and messages; its name in legends.
 
     Attributes
     ----------
@@ -87,7 +89,11 @@ class Surface:
         axis : {0, 1}
             The edge u = const (0) or v = const (1).
         end : {0, -1}
-            Its lower or upper end.
+            The lower or upper edge.
+
+        Returns
+        -------
+        bool
         """
         return (axis, end) in self._poles
 
@@ -107,7 +113,7 @@ class Surface:
         Raises
         ------
         InputError
-            Outside the domain by more than rounding, and for what does not broadcast.
+            A parameter outside the domain by more than rounding; u and v that do not broadcast.
 
         Examples
         --------
@@ -122,10 +128,18 @@ class Surface:
         return exact.points(self._polynomials, self.closed, u, v).reshape(*shape, 3)
 
     def normal(self, u: ArrayLike, v: ArrayLike) -> np.ndarray:
-        """Unit normals along S_u x S_v, shape (..., 3).
+        """Unit normals along S_u x S_v.
 
-        Parameters and errors as of `point`; NaN where the normals of the sides of a knot line
-        or seam differ, and at a pole without a tangent plane.
+        Parameters
+        ----------
+        u, v : array_like
+            As for `point`.
+
+        Returns
+        -------
+        ndarray, shape (..., 3)
+            NaN where the sides of a knot line or seam have different normals, and at a pole without
+            a tangent plane. Raises as `point` does.
 
         Examples
         --------
@@ -146,14 +160,13 @@ class Surface:
         Returns
         -------
         Curvature
-            K, H, k1, k2, d1, d2, smooth, normal, point, of the broadcast shape. On knot lines
-            and seams the values of all sides have to agree, at a pole those of all meridians;
-            else they are NaN and `smooth` is False.
+            K, H, k1, k2, d1, d2, smooth, normal, point, of the broadcast shape. NaN, and `smooth`
+            False, on knot lines and seams whose sides disagree and at poles whose meridians do.
 
         Raises
         ------
         InputError
-            Outside the domain by more than rounding, and for what does not broadcast.
+            As for `point`.
 
         Examples
         --------

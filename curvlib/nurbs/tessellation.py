@@ -10,7 +10,7 @@ from curvlib.meshes.mesh import Mesh
 
 from .surface import Surface
 
-JITTER = 0.3  # of a cell: below 0.5, so that the order of a row's points is kept
+JITTER = 0.3  # of a cell; below 0.5 the points of a row keep their order
 
 
 def check_resolution(n, where: str = "") -> None:
@@ -21,7 +21,7 @@ def check_resolution(n, where: str = "") -> None:
 
 
 def check_cut(key, where: str = "") -> None:
-    """Raise InputError unless `key` is a diagonal, or a random one and its seed: `random-3`."""
+    """Raise InputError unless `key` is a diagonal, or a seeded one with its seed: `random-3`."""
     diagonal, dash, seed = str(key).partition("-")
     check_name("diagonal", diagonal, DIAGONALS, where)
     if dash and not (seed.isascii() and seed.isdecimal() and diagonal in SEEDED):
@@ -39,17 +39,17 @@ def tessellate(surface: Surface, n: int, diagonal: str = "same", seed: int = 0) 
     Parameters
     ----------
     surface : Surface
-        Of `curvlib.surface`, or one's own.
+        From `curvlib.surface`, or made from a geomdl surface.
     n : int
         Cells along u and along v, at least 3.
     diagonal : str, optional
         "same" joins (u_i, v_j) to (u_i+1, v_j+1) in every cell, "alternate" changes from cell to
-        cell like a chessboard, "shortest" takes the shorter one in space (equal ones as "same"),
-        "random" draws; "jittered" draws a move of up to JITTER cells for every grid point (on the
-        boundary along it) and triangulates by Delaunay in the parameter domain. "random-3" is
+        cell like a chessboard, "shortest" takes the shorter diagonal in space (as "same" if they
+        are equal), "random" draws one; "jittered" moves every grid point by up to JITTER cells (at
+        a boundary along it) and triangulates by Delaunay in the parameter domain. "random-3" is
         "random" with seed 3.
     seed : int, optional
-        Of "random" and "jittered", where `diagonal` names none.
+        Seed of "random" and "jittered", if `diagonal` names none.
 
     Returns
     -------
@@ -61,7 +61,7 @@ def tessellate(surface: Surface, n: int, diagonal: str = "same", seed: int = 0) 
     Raises
     ------
     InputError
-        For a resolution below 3 or not an integer, an unknown diagonal, and a bad seed.
+        A resolution below 3 or not an integer, an unknown diagonal, or a bad seed.
 
     Examples
     --------
@@ -87,9 +87,11 @@ def tessellate(surface: Surface, n: int, diagonal: str = "same", seed: int = 0) 
 
 
 class _Grid:
-    """The points of the uniform grid: `index` (n + 1, n + 1) is the vertex at each, one for a
-    seam's two and a pole's all; `at` (2, V) are the vertices' places in cells, `pole` (V,) whether
-    they are poles."""
+    """The uniform grid with seams and poles merged.
+
+    `index` (n + 1, n + 1): the vertex of each grid point; `at` (2, V): places of the vertices, in
+    cells; `pole` (V,) bool.
+    """
 
     def __init__(self, surface, n):
         self.surface, self.n = surface, n
@@ -109,7 +111,7 @@ class _Grid:
         self.at = np.array([kept // (n + 1), kept % (n + 1)])
 
     def parameters(self, at):
-        """(u, v), (V, 2), at places in cells; on a knot where they miss it by rounding alone."""
+        """(u, v), (V, 2), at places in cells; rounded to a knot within four rounding errors."""
         uv = []
         for k, breaks in zip(at, self.surface.breaks):
             low, high = breaks[0], breaks[-1]
@@ -155,7 +157,7 @@ def _random(grid, rng):
 
 
 def _jittered(grid, rng):
-    """Points moved at random; copies of them side by side across the seams are triangulated."""
+    """Jittered points, triangulated by Delaunay with copies beyond the seams."""
     from scipy.spatial import Delaunay
 
     n, surface = grid.n, grid.surface
@@ -173,7 +175,7 @@ def _jittered(grid, rng):
                 at[on_edge] = nodes[on_edge]
     vertex = grid.index[tuple(nodes.T)]
     moved = np.empty(grid.at.shape)
-    # Written backwards, so that a pole, as in the grid, has the place of its first node.
+    # In reverse order: the first of the nodes that share a pole is written last and kept.
     moved[:, vertex[::-1]] = at[::-1].T
     for axis in np.flatnonzero(surface.closed):
         moved[axis] %= n
@@ -183,13 +185,13 @@ def _jittered(grid, rng):
     (ax, ay), (bx, by), (cx, cy) = copies[triangles].transpose(1, 2, 0)
     clockwise = (bx - ax) * (cy - ay) < (by - ay) * (cx - ax)
     triangles[clockwise] = triangles[clockwise][:, ::-1]
-    # Of a triangle's copies the one is taken whose first node is no copy.
+    # Keep of each triangle's copies the one whose lowest node is no copy.
     node = triangles % len(at)
     first = triangles[np.arange(len(node)), node.argmin(1)]
     return moved, vertex[node[first < len(at)]]
 
 
-# Each gives places (2, V) in cells and faces, by their vertices' indices, of a grid.
+# Each maps a grid to places of the vertices (2, V), in cells, and faces (F, 3).
 DIAGONALS = {
     "same": _same,
     "alternate": _alternate,

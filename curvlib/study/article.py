@@ -1,4 +1,4 @@
-"""The article: a Typst source set with the values of this run; the same bytes each time."""
+"""The article: a Typst source compiled with the values of this run; the same bytes each time."""
 
 import csv
 import datetime
@@ -9,7 +9,7 @@ from pathlib import Path
 from curvlib.errors import InputError
 from curvlib.files import whole_file
 
-# The rows of long tables that the article quotes: the compiler would take seconds to select them.
+# Rows of long tables that the article quotes: Typst would take seconds to select them.
 EXCERPTS = {
     "errors": {"norm": ["mean"], "diagonal": ["same"]},
     "ranks": {"diagonal": ["same"], "reading": ["default"]},
@@ -24,8 +24,8 @@ def typeset(source, output, results, **values) -> None:
     path of the folder `results` in `sys.inputs.results` and each of `values` by its name, as JSON.
     Only the compiler's own fonts are used, so that every machine sets the same pages.
 
-    InputError where the source is wrong, asks for a value that the results lack or makes a
-    statement that they do not bear out; then nothing is written.
+    Raises InputError, and writes nothing, if the source has an error, asks for a value that the
+    results lack, or makes a statement that contradicts them.
     """
     import typst
 
@@ -41,7 +41,7 @@ def typeset(source, output, results, **values) -> None:
         )
     except typst.TypstError as error:
         kind, _, sentence = error.message.partition(": ")
-        # The article's own checks fail in one line; for a mistake in it the place is shown too.
+        # A failed check of the article is one line; an error in its source needs the place.
         raised = kind in ("panicked with", "assertion failed")
         raise InputError(f"{source}: {sentence if raised else error.diagnostic}") from None
     with whole_file(output) as part:
@@ -49,8 +49,10 @@ def typeset(source, output, results, **values) -> None:
 
 
 def excerpts(folder, wanted: dict) -> dict:
-    """Parts of the tables `<name>.csv` in a folder, as CSV text: the rows whose columns hold one of
-    the values wanted, name -> column -> values."""
+    """Excerpts of the tables `<name>.csv` in a folder, as CSV text.
+
+    `wanted`: name -> column -> values; rows with one of these values in each column are kept.
+    """
     return {name: _excerpt(Path(folder, f"{name}.csv"), where) for name, where in wanted.items()}
 
 

@@ -15,16 +15,16 @@ from .readings import Readings, choices_of, stem_of
 
 SCHEMA = Path(__file__).with_name("config.schema.yaml")
 
-# What --config makes of numbers, and what to do about it.
+# Numbers that --config delivers as text, and the advice in the error message.
 AS_NUMBERS = re.compile(r"[\d.,\s\[\]]+")
 AS_TEXT = ", which is text: --config delivers no numbers, a file for --configfile does"
 
 
 class Study(Readings):
-    """What to compute, and where: one attribute per key of the config.
+    """A study: one attribute per key of its config, which `config/README.md` explains.
 
-    `config/README.md` explains every key. Raises InputError, naming the key, for a value of the
-    wrong type, and, with the nearest valid name, for anything unknown.
+    Raises InputError with the key of a value of the wrong type, and with the nearest valid name of
+    an unknown one.
     """
 
     def __init__(self, config: dict):
@@ -47,8 +47,8 @@ class Study(Readings):
         try:
             self._check_options(self.choices())
         except InputError:
-            # An overlay with some of the nine has all readings of config.yaml: options of the
-            # package's other estimators are valid, and are looked up only if one is used.
+            # An overlay with some of the nine inherits all readings of config.yaml, so that options
+            # of the package's other estimators are valid too. Looked up last: it loads them all.
             names = dict.fromkeys((*self.estimators, *estimators.names()))
             self._check_options(choices_of(names))
         for name in self.more_readings:
@@ -57,12 +57,12 @@ class Study(Readings):
         self.results = _folder("results", config["results"])
 
     def is_that_of(self, config: dict) -> bool:
-        """Whether another config describes the same study, wherever its files lie."""
+        """Whether another config describes the same study, apart from the folders."""
         return vars(self) == vars(self._here(config))
 
     def meshes(self) -> list[tuple]:
-        """(diagonal, n, whether all readings are run on it) of every mesh of a surface; on the
-        others it is those of `more_readings`."""
+        """(diagonal, n, full) of every mesh of a surface. Full meshes get every reading, the others
+        only `more_readings`."""
         every = list(itertools.product(self.diagonals, self.resolutions))
         more = [
             mesh
@@ -72,10 +72,9 @@ class Study(Readings):
         return [(*m, True) for m in every] + [(*m, False) for m in more if m not in every]
 
     def check_places(self, config: dict) -> None:
-        """Raise InputError where an overlay would overwrite files of the study of `config`.
+        """Raise InputError if an overlay would overwrite files of the study of `config`.
 
-        A study that differs in its estimators or readings alone has the same meshes and may
-        share them.
+        A study that differs only in estimators or readings may share the meshes.
         """
         if self.results.resolve() == Path(config["results"]).resolve():
             raise InputError(
@@ -101,7 +100,7 @@ class Study(Readings):
                 check_name("option", option, known, f"config: {key}")
 
     def _here(self, config):
-        """The study of another config with its files where this one's are."""
+        """The study of another config with the folders of this one."""
         return Study(config | {"library": str(self.library), "results": str(self.results)})
 
 
@@ -148,7 +147,7 @@ def _names(key, value, catalogue):
 
 
 def _check_stems(names):
-    """Raise InputError where two files have one stem, by which rules and results know them."""
+    """Raise InputError if two files have one stem, their name in rules and results."""
     files = {}
     for name in names:
         other = files.setdefault(stem_of(name), name)
@@ -176,7 +175,7 @@ def _library(value):
 
 
 def _folder(key, value):
-    """A folder that can be written to, or made."""
+    """The path of a folder; InputError if it cannot be written to or made."""
     path = Path(value).expanduser()
     existing = next(p for p in (path, *path.absolute().parents) if p.exists())
     if not existing.is_dir() or not os.access(existing, os.W_OK):

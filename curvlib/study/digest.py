@@ -1,4 +1,4 @@
-"""Which code made a result: a digest that a comment or a docstring does not change."""
+"""Digests of the code behind a result, which comments and docstrings do not change."""
 
 import ast
 import functools
@@ -9,11 +9,11 @@ PACKAGE = Path(__file__).parents[1]
 
 
 def digest(*files) -> str:
-    """Hash of Python files and of all that they use.
+    """Hash of Python files and of all files that they use.
 
-    Of Python it takes the syntax tree without docstrings, and follows what that imports from
-    curvlib; imports under `if TYPE_CHECKING:` do no work and are left out. Other files that lie
-    beside a module, and that it names in a string, are data: it takes their bytes.
+    For Python: the syntax tree without docstrings, and the modules of curvlib that it imports,
+    except under `if TYPE_CHECKING:`. For data, a file below a module's folder that the module
+    names in a string: the bytes.
     """
     todo, seen = [Path(f).resolve() for f in files], {}
     while todo:
@@ -26,10 +26,7 @@ def digest(*files) -> str:
 
 @functools.cache
 def _read(path, content):
-    """The hash of a file, and the files that it uses.
-
-    Kept, since nearly every job's digest asks for the same files.
-    """
+    """The hash of a file, and the files that it uses. Kept: digests of jobs share most files."""
     if path.suffix != ".py":
         return hashlib.sha256(content).hexdigest(), ()
     written, used, todo = [], [], [ast.parse(content)]
@@ -66,7 +63,7 @@ def _without_docstring(body):
 def _imported(node, path):
     """Files of curvlib behind `from . import x`, `from curvlib.x import y`, `import curvlib.x`.
 
-    No `__init__.py`: a room's is one docstring, and that of curvlib would tie all to all.
+    Without `__init__.py`: a room's is one docstring, and curvlib's would tie every file to all.
     """
     names = [alias.name for alias in node.names]
     if isinstance(node, ast.Import):

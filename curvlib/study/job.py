@@ -1,4 +1,4 @@
-"""What every job of the workflow does around its work: keep a log, and fail in one line."""
+"""The frame of every job of the workflow: a log, and errors in one line."""
 
 import contextlib
 import sys
@@ -12,12 +12,11 @@ from curvlib.errors import InputError
 
 @contextlib.contextmanager
 def logged(path):
-    """Send what is printed to a log file, and at the end how much processor time the job took,
-    to start and for its work.
+    """Redirect output to a log file; append the processor time of start and work.
 
-    The terminal shows the job's name and, where it fails, one line: what was wrong with the
-    input, with a file of estimators or surfaces, with the disk. The traceback is in the log; that
-    of a fault of ours stands on the terminal too.
+    The terminal shows the job's name and, on failure, one line for an error in the input, in a
+    file of estimators or surfaces, or on disk. The traceback is in the log, and for any other error
+    on the terminal too.
     """
     start, terminal = time.process_time(), sys.stderr
     print(_name(path), file=terminal, flush=True)

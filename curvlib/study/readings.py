@@ -1,4 +1,4 @@
-"""The readings of a study: which options each estimator is run with, under which names."""
+"""The readings of a study: the options of each estimator, by name."""
 
 import hashlib
 import itertools
@@ -7,13 +7,13 @@ from pathlib import Path
 from curvlib.comparison.norms import VERTICES
 from curvlib.estimation import readings as estimator_options
 
-# The paper's figures of errors, by quantity: their surfaces.
+# The paper's error plots by quantity: figure -> surface.
 PAPER_FIGURES = {
     "K": {"figure-3": "revolution", "figure-5": "teapot_spout"},
     "H": {"figure-4": "revolution", "figure-6": "teapot_spout"},
 }
 
-# What claim 8 is about, with the paper's normals and with exact ones: estimator, reading, label.
+# The estimators of claim 8, with the paper's normals and with exact ones: (name, reading, label).
 ON_RINGS = (
     ("gauss_bonnet", {}, "Gauss-Bonnet"),
     ("paraboloid", {}, "Paraboloid, estimated normals"),
@@ -22,10 +22,10 @@ ON_RINGS = (
 
 
 class Readings:
-    """What follows from a study's `estimators`, `readings`, `more_readings`, `vary`, `product`.
+    """The readings that `estimators`, `readings`, `more_readings`, `vary` and `product` define.
 
-    A reading is a choice, option -> value. An estimator makes it where it has the option and
-    knows the value; else it keeps its default.
+    A reading maps options to values. An estimator that has the option and the value takes it; any
+    other keeps its default.
     """
 
     def choices(self) -> dict[str, tuple]:
@@ -33,17 +33,17 @@ class Readings:
         return choices_of(self.estimators)
 
     def single_changes(self) -> dict[str, dict]:
-        """A reading, by name, for each value that differs from some estimator's default."""
+        """Name -> reading for each single value that differs from some estimator's default."""
         choices, default = self.choices(), self._effect({})
         single = [{option: value} for option in self.vary for value in choices.get(option, ())]
         return {name_of(choice): choice for choice in single if self._effect(choice) != default}
 
     def all_readings(self) -> dict[str, dict]:
-        """The readings of the tables: those of the config, then the single changes."""
+        """The readings in the tables: those named in the config, then the single changes."""
         return Named(self.readings | self.single_changes())
 
     def products(self) -> dict[str, dict]:
-        """A reading, by name, for each combination of the options in `product`."""
+        """Name -> reading for each combination of the options in `product`."""
         choices = self.choices()
         options = [option for option in self.product if option in choices]
         values = itertools.product(*(choices[option] for option in options))
@@ -51,10 +51,7 @@ class Readings:
         return Named({name_of(choice): choice for choice in combinations})
 
     def named_products(self) -> dict[str, str]:
-        """The products that some of the `readings` come to: product -> reading.
-
-        They do where every estimator of the study has the same options in both.
-        """
+        """Product -> named reading that gives every estimator of the study the same options."""
         effects = {product: self._effect(choice) for product, choice in self.products().items()}
         return {
             product: name
@@ -72,21 +69,20 @@ class Readings:
         }
 
     def variants(self, estimator: str) -> dict[str, dict]:
-        """The distinct options of an estimator over all readings, by key, the default's first:
-        each is run once."""
+        """Key -> options, distinct over all readings, the default first; each is run once."""
         every = [{}, *self.all_readings().values(), *self.products().values()]
         chosen = (self.options(estimator, reading) for reading in every)
         return Named({variant(options): options for options in chosen})
 
     def more_variants(self, estimator: str) -> list[str]:
-        """The keys of those variants that are run on every mesh."""
+        """Keys of the variants that are run on every mesh."""
         chosen = (self.options(estimator, self.readings[name]) for name in self.more_readings)
         return list(dict.fromkeys(map(variant, chosen)))
 
     def rows(self) -> "Rows":
-        """What each reading means: reading, kind, estimator (its stem), variant, counted, more.
+        """readings.csv: reading, kind, estimator (its stem), variant, counted, more.
 
-        `kind`: `named` in the config, a `single` change, or a `product`, for claims alone.
+        `kind`: `named` in the config, a `single` change, or a `product`, for claims only.
         """
         kinds = dict.fromkeys(self.products(), "product")
         kinds |= dict.fromkeys(self.single_changes(), "single")
@@ -106,7 +102,7 @@ class Readings:
         )
 
     def ring_curves(self) -> list[tuple]:
-        """Those of ON_RINGS that the study runs: estimator, variant, label."""
+        """The ON_RINGS that the study runs: (estimator, variant, label)."""
         files = {stem_of(estimator): estimator for estimator in self.estimators}
         return [
             (stem, key, label)
@@ -116,13 +112,13 @@ class Readings:
         ]
 
     def _effect(self, reading):
-        """What a reading changes: every estimator's options, and the vertices that count."""
+        """The effect of a reading: every estimator's options, and the vertices counted."""
         options = {name: self.options(name, reading) for name in self.estimators}
         return options, reading.get("vertices", VERTICES[0])
 
 
 class _Brief:
-    """Stands as its length and a digest among a job's parameters, and so in the report."""
+    """Shown as length and digest: parameters of jobs are printed in the report."""
 
     def __repr__(self):
         digest = hashlib.sha256(super().__repr__().encode()).hexdigest()[:16]
@@ -138,8 +134,8 @@ class Named(_Brief, dict):
 
 
 def error_figures(study, quantity: str) -> dict[str, tuple]:
-    """The error plots of a quantity, figure -> (surface, resolutions): one of each surface with
-    all resolutions, and the paper's with those that all readings are run on."""
+    """The error plots of a quantity, figure -> (surface, resolutions): one per surface with all
+    resolutions, and the paper's with those of the full meshes."""
     every = sorted({n for _, n, _ in study.meshes()})
     stems = list(map(stem_of, study.surfaces))
     paper = {
@@ -160,7 +156,7 @@ def choices_of(names) -> dict[str, tuple]:
 
 
 def name_of(choice: dict) -> str:
-    """The name of a reading after its choices: `area=half,dihedral=unsigned`."""
+    """The name of a reading, from its choices: `area=half,dihedral=unsigned`."""
     return ",".join(f"{option}={value}" for option, value in choice.items())
 
 
@@ -170,5 +166,5 @@ def variant(options: dict) -> str:
 
 
 def stem_of(name: str) -> str:
-    """What an estimator or surface is called in rules and results: a path's stem."""
+    """The name of an estimator or surface in rules and results: a path's stem."""
     return Path(name).stem

@@ -8,12 +8,12 @@ from curvlib.nurbs.surface import Surface
 
 
 def surface(name: str) -> Surface:
-    """A surface by its name, or from a file of one's own.
+    """A surface by name, or from a file.
 
     Parameters
     ----------
     name : str
-        One of `curvlib.surfaces()`, or the path of a .py file that holds LABEL (for legends) and
+        A name in `curvlib.surfaces()`, or the path of a .py file with LABEL (for legends) and
         build(), which returns a geomdl surface.
 
     Returns
@@ -24,7 +24,7 @@ def surface(name: str) -> Surface:
     Raises
     ------
     InputError
-        For an unknown name, and for a file that lacks one of the two or builds no surface.
+        An unknown name, or a file that lacks LABEL or build() or does not build a surface.
 
     Examples
     --------

@@ -38,7 +38,7 @@ def revolve(degree, knots, profile, weights=None):
 
 
 def teapot(part):
-    """One part of Newell's teapot, from teapot.json, which tells its provenance."""
+    """One part of Newell's teapot, from teapot.json, which names its source."""
     data = json.loads(Path(__file__).with_name("teapot.json").read_text(encoding="utf-8"))[part]
     # Stored [v][u], with the normal inward: reversing v turns it outward.
     net = np.array(data["control_points"])[::-1].swapaxes(0, 1)

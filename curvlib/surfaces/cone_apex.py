@@ -1,4 +1,4 @@
-"""The cone of `cone` carried on to its apex, where no curvature exists."""
+"""The cone of `cone` up to its apex, where curvature is undefined."""
 
 from ._shapes import revolve
 

@@ -1,6 +1,6 @@
 """Body of the Utah teapot with its rim, open at the top and at the bottom.
 
-Its circles are cubic near-circles (radius +0.41 %): it is no exact surface of revolution.
+Its circles are cubic approximations (radius up to +0.41 %): it is not a surface of revolution.
 """
 
 from ._shapes import teapot

@@ -1,6 +1,6 @@
 """Spout of the Utah teapot: tube (u <= 1) and lip (u >= 1), open at both ends.
 
-The two meet with a common normal only: K jumps by up to 17.5 at u = 1.
+The joint u = 1 is G^1 only: K jumps there by up to 17.5.
 """
 
 from ._shapes import teapot
