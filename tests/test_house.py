@@ -1,6 +1,7 @@
 """The house itself: what imports what, what an import costs, what changes a digest."""
 
 import ast
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -50,6 +51,14 @@ def test_doors_between_rooms():
         room = path.relative_to(PACKAGE).with_suffix("").parts[0]
         found.setdefault(room, set()).update(imported(path))
     assert found == DOORS
+
+
+def test_doors_as_contributing_shows_them():
+    guide = (PACKAGE.parent / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+)` \| .* \|(.*)\|$", guide, re.M)
+    shown = {room: set(re.findall(r"`(\w+)`", others)) for room, others in rows}
+    rooms = {room: others - {"__version__"} for room, others in DOORS.items()}
+    assert shown == {room: others for room, others in rooms.items() if room != "__init__"}
 
 
 def test_two_levels_and_rooms_that_open_with_one_docstring():
