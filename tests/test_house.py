@@ -1,6 +1,7 @@
 """The house itself: what imports what, what an import costs, what changes a digest."""
 
 import ast
+import importlib
 import re
 import subprocess
 import sys
@@ -67,6 +68,32 @@ def test_two_levels_and_rooms_that_open_with_one_docstring():
         if path.name == "__init__.py" and path.parent != PACKAGE:
             (docstring,) = ast.parse(path.read_text(encoding="utf-8")).body
             assert isinstance(docstring.value, ast.Constant), path
+
+
+def public_functions(room):
+    """(file, function, its docstring, the module's) of the public functions in a room."""
+    for path in (PACKAGE / room).glob("*.py"):
+        module = ast.parse(path.read_text(encoding="utf-8"))
+        for node in module.body:
+            if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
+                yield path, node, ast.get_docstring(node) or "", ast.get_docstring(module) or ""
+
+
+def test_docstrings_name_every_parameter():
+    published = re.findall(r"^`(\w+)`", importlib.import_module("curvlib.kit").__doc__, re.M)
+    assert "ring" in published
+    for path, function, own, module in [*public_functions("kit"), *public_functions("estimators")]:
+        if path.parent.name == "estimators" or path.stem in published:
+            for argument in function.args.args:
+                shown = re.search(rf"\b{argument.arg}\b", own + module)
+                assert shown, f"{path}: {function.name}: {argument.arg}"
+
+
+def test_estimators_say_where_they_are_defined_their_order_and_their_source():
+    for path, function, own, _ in public_functions("estimators"):
+        if function.name == "estimate":
+            for words in ("Parameters\n---", "Returns\n---", "NaN: needs a", "Order: ", "Source: "):
+                assert words in own, f"{path}: {words}"
 
 
 def test_an_import_brings_nothing_heavy():

@@ -57,7 +57,7 @@ def estimate(
 
 @compiled
 def by_trapezoids(phi, curvature):
-    """K and H (m,) of normal curvatures (n, m) in directions at angles phi_i (n, m) to the next."""
+    """K and H (m,) of normal `curvature` (n, m), at angles `phi` (n, m) from one to the next."""
     n, m = phi.shape
     mean, mean_square = np.zeros(m), np.zeros(m)
     for i in range(n):

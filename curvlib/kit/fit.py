@@ -14,7 +14,8 @@ from .compiled import compiled
 
 # In a fit to the neighbours of a vertex, singular values below this fraction of the largest count
 # as zero. Rounding to float32 or to printed decimals gives a direction that no neighbour determines
-# a singular value of up to 1e-4; a cut-off of 1e-2 changes errors on smooth meshes.
+# a singular value of up to 1e-4. Compared with 1e-6, 1e-3 changes one in a thousand errors of the
+# study, all of circular fitting; 1e-2 changes errors on smooth meshes.
 CUTOFF = 1e-3
 SWEEPS = 8  # Jacobi converges quadratically: five reach rounding for three columns
 

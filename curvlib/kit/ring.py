@@ -72,8 +72,8 @@ def one_ring(e, exact_normals):
 
 @compiled
 def owning_ring(e, exact_normals, floors):
-    """As `one_ring`, without a copy of `e`; `floors` (m,): (ROUNDING |v|)^2, the square of the
-    height up to which rounding decides the shape of a triangle."""
+    """`one_ring(e, exact_normals)` without a copy of `e`; `floors` (m,): (ROUNDING |v|)^2, the
+    square of the height up to which rounding decides the shape of a triangle."""
     _, n, m = e.shape
     squares, lengths, areas, dots = np.empty((4, n, m))
     facets = np.empty((3, n, m))
