@@ -15,8 +15,9 @@ SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#E69F00", "marker": "v", "linestyle": "-"}
 
 # Angles closer than this, in radians, are equal. Rounding to float32 breaks ties among the right
-# angles of voxels and mechanical parts: 1e-9 leaves four times as many vertices of real meshes to
-# it. The errors of the study change by 1e-5 of themselves at most; 3e-6 changes one by a quarter.
+# angles of voxels and mechanical parts, with 1e-9 at four times as many vertices of real meshes.
+# Compared with 1e-9, errors of the study change by 1e-5 at most (relative); with 3e-6 one by a
+# quarter.
 TIE = 2e-6
 CIRCLES = 3  # the least number that determines A, B and C
 # K and H are NaN beyond this valence: the number of pairs is quadratic in it.
