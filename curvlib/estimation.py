@@ -58,8 +58,10 @@ def _options(name, function):
 
 
 def _chosen(name, function, options):
-    """All options of an estimator, defaults and all: each set of given ones would be compiled anew.
-    InputError for an option or a value that it does not know."""
+    """All options of an estimator, defaults included: Numba compiles anew for each set of keywords.
+
+    Raises InputError for an unknown option or value.
+    """
     known = _options(name, function)
     for option, value in options.items():
         check_name(f"option of {name}", option, known)
