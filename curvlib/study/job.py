@@ -28,7 +28,7 @@ def logged(path):
     ):
         try:
             yield
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             traceback.print_exc(file=log)
             told = estimators.told(error) or surfaces.told(error)
             if isinstance(error, InputError | OSError):

@@ -64,6 +64,8 @@ def test_what_is_no_mesh(vertices, faces, message):
         ({"K": ["a", "b", "c"]}, "K: an array of numbers is expected"),
         ({"H": [1, 2]}, r"H: shape \(2,\), expected \(3,\)"),
         ({"smooth": [0, 1, 1]}, "smooth: an array of bool is expected, not int64"),
+        ({"pole": [[True], [True, False]]}, "pole: not an array of numbers"),
+        ({"normal": TRIANGLE}, "unknown field 'normal'; did you mean 'normals'"),
         ({"normals": [[0, 0, 1], [0, 0], [0, 0, 1]]}, "normals: not an array of numbers"),
     ],
 )
