@@ -194,11 +194,8 @@ class Library(Mapping):
             ) from None
         if not isinstance(n, Integral):
             raise InputError(f"{self._place}: n is an int, not {n!r}")
-        if (
-            isinstance(surface, str)
-            and isinstance(diagonal, str)
-            and (surface, diagonal, n) in self
-        ):
+        names = isinstance(surface, str) and isinstance(diagonal, str)
+        if names and (surface, diagonal, n) in self:
             return
         check_name("surface", surface, self.surfaces(), self._place)
         of_surface = [(d, m) for s, d, m in self if s == surface]

@@ -193,9 +193,7 @@ def _folder(key, value):
 
 def _path(key, value):
     if "{" in value or "}" in value:
-        raise InputError(
-            f"config: {key}: {value!r} has a brace, which begins a wildcard of Snakemake"
-        )
+        raise InputError(f"config: {key}: {value!r} has a brace, Snakemake's sign of a wildcard")
     try:
         return expanded(value)
     except InputError as error:

@@ -49,7 +49,7 @@ def test_a_resolution_is_a_number(folder):
 def test_what_names_no_mesh(folder):
     lib = curvlib.load_library(folder)
     for surface, diagonal in ((["sphere"], "same"), ("sphere", {}), (np.array("sphere"), "same")):
-        with pytest.raises(curvlib.InputError, match="unknown (surface|diagonal) .*; valid: "):
+        with pytest.raises(curvlib.InputError, match=r"unknown (surface|diagonal) .*; valid: "):
             lib.mesh(surface, 8, diagonal)
     for key in ("a", ("sphere", 8), None):
         with pytest.raises(curvlib.InputError, match=r"a mesh is \(surface, diagonal, n\), not "):
