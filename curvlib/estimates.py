@@ -57,8 +57,9 @@ class Estimates:
 
     @cached_property
     def undefined(self) -> dict[str, int]:
-        """How many vertices lack a value that the estimator gives elsewhere, by cause."""
-        lacking = np.zeros(len(self._mesh.vertices), dtype=bool)
+        """How many vertices lack a value that the estimator gives elsewhere, by cause; where it
+        gives none, all of them."""
+        lacking = np.full(len(self._mesh.vertices), not self._found)
         for values in self._found.values():
             lacking |= np.isnan(values.reshape(len(lacking), -1)).any(1)
         return {cause: int(n) for cause, n in _causes(self._mesh, lacking).items() if n}

@@ -85,6 +85,11 @@ class Mesh:
         for name, rest in FIELDS.items():
             setattr(self, name, _field(name, fields.get(name), (count, *rest), copy))
 
+    def __setstate__(self, state):
+        # Pickle forgets that arrays are read only; compiled code is kept for those that are.
+        for name, value in state.items():
+            vars(self)[name] = _frozen(value) if isinstance(value, np.ndarray) else value
+
     @property
     def vertices(self) -> np.ndarray:
         """(V, 3) float64, read only; a mesh with others is another: see `moved`."""
