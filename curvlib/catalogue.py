@@ -53,7 +53,7 @@ class Catalogue:
         Raises InputError for an unknown name or a path that is not a file.
         """
         if _is_path(name):
-            path = Path(name).expanduser()
+            path = Path(os.path.expanduser(name))
             if not path.is_file():
                 raise InputError(f"{self.what} file {str(name)!r} does not exist")
             if path.stem in self.names():
@@ -69,7 +69,7 @@ class Catalogue:
 
         Raises InputError as `path` does, and where the file fails or lacks its function.
         """
-        if name in self._loaded:
+        if isinstance(name, str) and name in self._loaded:
             # Listing the folder would cost more than an estimate on a small mesh.
             return self._loaded[name]
         if _is_path(name):
@@ -89,7 +89,12 @@ class Catalogue:
         for position, (key, file) in enumerate(files.items()):
             module = self.module(file)
             self._check(module, file, ("LABEL",))
-            style = getattr(module, "STYLE", None)
+            style = getattr(module, "STYLE", None) or {}
+            if not isinstance(style, dict):
+                raise InputError(
+                    f"{self.what} file {str(file)!r}: STYLE has to be a dict for matplotlib, "
+                    f"such as {_style(position)}, not {style!r}"
+                )
             same = [other for other, its in given.items() if style and its == style]
             if same:
                 raise InputError(f"{self.what}s {same[0]} and {file} have one STYLE; change it")
@@ -136,7 +141,7 @@ class Catalogue:
             module = load()
         except InputError:
             raise
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             unknown = f"{self.what} {name}: {type(error).__name__}: {error}"
             raise self.told(error) or InputError(unknown) from error
         self._check(module, name, self._needs)
@@ -150,6 +155,13 @@ class Catalogue:
                 f"{self.what} file {str(name)!r} has no {' and no '.join(missing)}: it has to hold "
                 f"{every}"
             )
+        for need in needs:
+            value = getattr(module, need)
+            if not (isinstance(value, str) if need == "LABEL" else callable(value)):
+                kind = "text" if need == "LABEL" else "a function"
+                raise InputError(
+                    f"{self.what} file {str(name)!r}: {need} has to be {kind}, not {value!r}"
+                )
 
 
 def _is_path(name):

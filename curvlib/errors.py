@@ -1,5 +1,6 @@
 """Errors and warnings about a user's input, in one line."""
 
+from collections.abc import Hashable
 from difflib import get_close_matches
 
 
@@ -25,7 +26,8 @@ class MeshWarning(UserWarning):
 def check_name(what: str, name: str, valid, where: str = "") -> None:
     """Raise InputError, with the nearest valid name, unless `name` is in `valid`."""
     valid = list(valid)
-    if name in valid:
+    # An array would be compared element by element.
+    if isinstance(name, Hashable) and name in valid:
         return
     near = get_close_matches(name, valid, n=1, cutoff=0.0) if isinstance(name, str) else ()
     hint = f"did you mean {near[0]!r}? " if near else ""

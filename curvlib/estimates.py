@@ -74,8 +74,9 @@ class Estimates:
 
     @cached_property
     def undefined(self) -> dict[str, int]:
-        """Cause -> number of vertices that lack a value which the estimator returns elsewhere."""
-        lacking = np.zeros(len(self._mesh.vertices), dtype=bool)
+        """Cause -> number of vertices that lack a value which the estimator returns elsewhere; of all
+        vertices where it returns none."""
+        lacking = np.full(len(self._mesh.vertices), not self._found)
         for values in self._found.values():
             lacking |= np.isnan(values.reshape(len(lacking), -1)).any(1)
         return {cause: int(n) for cause, n in _causes(self._mesh, lacking).items() if n}

@@ -4,6 +4,7 @@ its values."""
 import functools
 import inspect
 import threading
+from collections.abc import Hashable
 from numbers import Integral
 from typing import get_args
 
@@ -37,15 +38,21 @@ def readings(estimator) -> dict[str, tuple]:
 
 def _resolved(estimator):
     """Name and function of an estimator: a name, a path, or the function itself."""
-    if callable(estimator):
+    if callable(estimator) and isinstance(estimator, Hashable):
         return getattr(estimator, "__name__", "estimate"), estimator
     return estimator, estimators.module(estimator).estimate
 
 
 @functools.cache
 def _options(name, function):
-    given, *others = inspect.signature(function).parameters.values()
-    check_name("first parameter", given.name, GIVEN, f"estimator {name!r}")
+    try:
+        parameters = list(inspect.signature(function).parameters.values())
+    except ValueError as error:  # of a builtin
+        raise InputError(f"estimator {name!r}: {error}") from None
+    given, others = parameters[:1], parameters[1:]
+    if not given or given[0].kind not in (given[0].POSITIONAL_ONLY, given[0].POSITIONAL_OR_KEYWORD):
+        raise InputError(f"estimator {name!r}: its first parameter has to be {' or '.join(GIVEN)}")
+    check_name("first parameter", given[0].name, GIVEN, f"estimator {name!r}")
     options = {}
     for p in others:
         if p.kind != p.POSITIONAL_OR_KEYWORD or p.default is p.empty:
@@ -194,18 +201,21 @@ class _Found:
                 f"estimator {self.name!r} has to return K and H, not {type(returned).__name__}; "
                 "or curvlib.kit.tensor.Curvatures"
             )
-        arrays = {
-            name: np.asarray(values, dtype=float, order="C")
-            for name, values in zip(names, returned)
-            if values is not None
-        }
-        for name, values in arrays.items():
+        arrays = {}
+        for name, values in zip(names, returned):
+            if values is None:
+                continue
+            try:
+                found = np.asarray(values)
+            except ValueError as error:
+                raise InputError(f"estimator {self.name!r}: {name}: {error}") from None
             expected = (3, count) if name in ("d1", "d2") else (count,)
-            if values.shape != expected:
+            if found.shape != expected or found.dtype.kind not in "biuf":
                 raise InputError(
-                    f"estimator {self.name!r} returned an array of shape {values.shape} as {name}, "
-                    f"expected {expected}"
+                    f"estimator {self.name!r} returned an array of shape {found.shape} of "
+                    f"{found.dtype} as {name}, expected {expected} of float64"
                 )
+            arrays[name] = np.asarray(found, dtype=float, order="C")
         return arrays
 
 

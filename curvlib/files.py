@@ -41,6 +41,16 @@ DAMAGED = (
 )
 
 
+def expanded(path) -> Path:
+    """A path with ~ for the home folder; InputError for what is no path or names no user."""
+    try:
+        return Path(path).expanduser()
+    except TypeError:
+        raise InputError(f"a path is expected, not {path!r}") from None
+    except RuntimeError:
+        raise InputError(f"{str(path)!r}: there is no such home folder") from None
+
+
 @contextmanager
 def whole_file(path):
     """Yield a temporary path to write to; move it to `path` at the end, remove it on an error.

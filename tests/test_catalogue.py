@@ -1,7 +1,9 @@
 """Files of strangers: read as they are now, checked, blamed by line."""
 
 import os
+import re
 
+import numpy as np
 import pytest
 
 from curvlib.catalogue import COLOURS, MARKERS, Catalogue, estimators
@@ -77,8 +79,8 @@ def test_a_fault_elsewhere_is_blamed_on_no_file(catalogue):
 
 
 def test_no_nearest_name_for_what_is_no_text(catalogue):
-    for name in (3, None):
-        with pytest.raises(InputError, match=f"unknown estimator {name}; valid: "):
+    for name in (3, None, ["gauss_bonnet"], np.array(["gauss_bonnet"])):
+        with pytest.raises(InputError, match=f"unknown estimator {re.escape(repr(name))}; valid: "):
             catalogue.module(name)
 
 

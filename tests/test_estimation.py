@@ -92,6 +92,15 @@ def test_undefined_vertices_are_counted_by_cause():
     assert r.undefined.keys() == {"no finite value"}
 
 
+def test_where_no_vertex_has_a_value_all_are_undefined(sphere):
+    triangle = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]
+    for name in curvlib.estimators():
+        with pytest.warns(curvlib.MeshWarning, match="3 of 3 vertices have no value"):
+            assert curvlib.estimate(triangle, name).undefined == {"boundary": 3}
+    none = curvlib.estimate(sphere, lambda ring: (None, None))
+    assert none.undefined == {"no finite value": len(sphere.vertices)}
+
+
 def test_a_soup_is_told_at_once(sphere):
     soup = sphere.vertices[sphere.faces].reshape(-1, 3)
     faces = np.arange(len(soup)).reshape(-1, 3)

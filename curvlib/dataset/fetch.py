@@ -8,7 +8,7 @@ from tempfile import TemporaryDirectory
 from urllib.parse import urlsplit
 
 from curvlib.errors import InputError
-from curvlib.files import DAMAGED, no_such_file, open_archive
+from curvlib.files import DAMAGED, expanded, no_such_file, open_archive
 
 from .archive import SUMS, file_hash, parse_sums
 
@@ -39,7 +39,7 @@ def fetch(source: str | os.PathLike, folder: str | os.PathLike = ".") -> Path:
     name = PurePosixPath(urlsplit(source).path).name if remote else Path(source).name
     if not name.endswith(".zip"):
         raise InputError(f"{source}: not an archive; give the URL or path of a .zip file")
-    folder = Path(folder).expanduser()
+    folder = expanded(folder)
     target = folder / name.removesuffix(".zip")
     with _scratch(folder, target.name) as scratch:
         if remote:
@@ -47,7 +47,7 @@ def fetch(source: str | os.PathLike, folder: str | os.PathLike = ".") -> Path:
             _check_free(target)  # before a download of minutes
             archive = _download(source, scratch, expected)
         else:
-            archive = _existing(Path(source).expanduser())
+            archive = _existing(expanded(source))
             expected = _listed(_existing(archive.with_name(SUMS)), name, source)
             if file_hash(archive) != expected:
                 raise _changed(source, expected)

@@ -8,10 +8,10 @@ import os
 from collections.abc import Iterable, Mapping
 from functools import cached_property
 from numbers import Integral
-from pathlib import Path, PurePosixPath
+from pathlib import PurePosixPath
 
 from curvlib.errors import InputError, check_name
-from curvlib.files import no_such_file, open_archive, open_hdf5
+from curvlib.files import expanded, no_such_file, open_archive, open_hdf5
 from curvlib.meshes.key import MeshKey
 from curvlib.meshes.mesh import Mesh
 
@@ -70,10 +70,14 @@ def load_library(*paths: str | os.PathLike) -> "Library":
     >>> folder.cleanup()
     """
     files = {}
-    for path in (Path(path).expanduser() for path in paths):
-        found = dict(_meshes(path)) if path.exists() else {}
+    for path in map(expanded, paths):
+        try:
+            exists = path.exists()
+        except OSError as error:  # no permission, or too long a name
+            raise InputError(f"{path}: {error.strerror}") from None
+        found = dict(_meshes(path)) if exists else {}
         if not found:
-            reason = f"{path}: no mesh library here" if path.exists() else no_such_file(path)
+            reason = f"{path}: no mesh library here" if exists else no_such_file(path)
             raise InputError(
                 f"{reason}; `curvlib fetch` gets a library, `snakemake` makes one in data/library"
             )
@@ -170,7 +174,7 @@ class Library(Mapping):
         keys = list(keys)
         for key in keys:
             self._check(key)
-        return Library({MeshKey(*key): self._files[key] for key in keys})
+        return Library({MeshKey(*key): self._files[*key,] for key in keys})
 
     @cached_property
     def _place(self):
@@ -181,10 +185,16 @@ class Library(Mapping):
 
     def _check(self, key):
         """Raise InputError, with the nearest name, unless the library has this mesh."""
-        surface, diagonal, n = key
+        try:
+            surface, diagonal, n = key
+        except (TypeError, ValueError):
+            raise InputError(
+                f"{self._place}: a mesh is (surface, diagonal, n), not {key!r}"
+            ) from None
         if not isinstance(n, Integral):
             raise InputError(f"{self._place}: n is an int, not {n!r}")
-        if key in self:
+        names = isinstance(surface, str) and isinstance(diagonal, str)
+        if names and (surface, diagonal, n) in self:
             return
         check_name("surface", surface, self.surfaces(), self._place)
         of_surface = [(d, m) for s, d, m in self if s == surface]

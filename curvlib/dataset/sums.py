@@ -27,4 +27,7 @@ def check_unchanged(path) -> None:
         return
     listed = parse_sums(sums.read_text(encoding="utf-8")).get(path.name)
     if listed and listed != file_hash(path):
-        raise InputError(f"{path}: changed since it was made; delete it, and run again to make it")
+        raise InputError(
+            f"{path}: changed since it was made, or open for writing in another process; close it "
+            "there, or delete it and run again to make it"
+        )

@@ -59,6 +59,8 @@ def _arrays(obj):
         data = pyvista.wrap(obj)
     except (NotImplementedError, TypeError, ValueError) as error:
         raise InputError(f"cannot wrap {name} as a mesh: {error}") from None
+    if data is None:
+        raise InputError("a mesh is a curvlib.Mesh or a pair (vertices, faces), not None")
     if isinstance(data, pyvista.PolyData):
         return _of_polydata(data)
     if isinstance(data, pyvista.UnstructuredGrid) and "vtkGhostType" not in data.cell_data:

@@ -4,7 +4,7 @@ from functools import cached_property
 
 import numpy as np
 
-from curvlib.errors import InputError
+from curvlib.errors import InputError, check_name
 
 # Exact values that a mesh can carry, with the shape behind V.
 FIELDS = {
@@ -80,10 +80,15 @@ class Mesh:
                 f"faces: face {row} is {self.faces[row].tolist()}, "
                 f"but vertex indices run from 0 to {count - 1}"
             )
+        for name in fields:
+            check_name("field", name, FIELDS, "mesh")
         for name, rest in FIELDS.items():
-            setattr(self, name, _field(name, fields.pop(name, None), (count, *rest), copy))
-        if fields:
-            raise TypeError(f"Mesh has no field {next(iter(fields))!r}")
+            setattr(self, name, _field(name, fields.get(name), (count, *rest), copy))
+
+    def __setstate__(self, state):
+        # Pickle forgets that arrays are read only; compiled code is kept for those that are.
+        for name, value in state.items():
+            vars(self)[name] = _frozen(value) if isinstance(value, np.ndarray) else value
 
     @property
     def vertices(self) -> np.ndarray:
@@ -175,12 +180,16 @@ def _frozen(array):
     return view
 
 
-def _numbers(name, value, kind, copy):
-    """A C-contiguous array of float or int; InputError for anything else."""
+def _array(name, value):
     try:
-        array = np.asarray(value)
+        return np.asarray(value)
     except (TypeError, ValueError) as error:
         raise InputError(f"{name}: not an array of numbers ({error})") from None
+
+
+def _numbers(name, value, kind, copy):
+    """A C-contiguous array of float or int; InputError where there is none of it."""
+    array = _array(name, value)
     allowed = "iuf" if kind is float else "iu"
     if array.size and array.dtype.kind not in allowed:
         words = "numbers" if kind is float else "integers"
@@ -193,7 +202,7 @@ def _field(name, value, shape, copy):
     if value is None:
         return None
     if name in FLAGS:
-        array = np.asarray(value)
+        array = _array(name, value)
         if array.dtype != bool:
             raise InputError(f"{name}: an array of bool is expected, not {array.dtype}")
     else:

@@ -241,6 +241,6 @@ def _numbers(letter, t):
         array = np.asarray(t)
         if array.dtype.kind in "biufO":
             return array.astype(float, copy=False)
-    except (TypeError, ValueError):
+    except (OverflowError, TypeError, ValueError):
         pass
     raise InputError(f"{letter}: {reprlib.repr(t)} is not a number or an array of numbers")

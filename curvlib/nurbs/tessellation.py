@@ -10,14 +10,17 @@ from curvlib.meshes.mesh import Mesh
 
 from .surface import Surface
 
+MOST = 18918  # cells along u: the 6 n^2 corners of faces are counted in 31 bits
 JITTER = 0.3  # of a cell; below 0.5 the points of a row keep their order
 
 
 def check_resolution(n, where: str = "") -> None:
-    """Raise InputError unless n is an integer of at least 3."""
+    """Raise InputError unless n is an integer from 3 to MOST."""
+    place = f"{where}: " if where else ""
     if not isinstance(n, Integral) or isinstance(n, bool) or n < 3:
-        place = f"{where}: " if where else ""
         raise InputError(f"{place}resolution {n!r} is not an integer of at least 3")
+    if n > MOST:
+        raise InputError(f"{place}resolution {n!r} is more than {MOST}")
 
 
 def check_cut(key, where: str = "") -> None:
@@ -72,6 +75,11 @@ def tessellate(surface: Surface, n: int, diagonal: str = "same", seed: int = 0) 
     >>> mesh.K.round(12).min(), mesh.H.round(12).max()
     (np.float64(1.0), np.float64(1.0))
     """
+    if not isinstance(surface, Surface):
+        raise InputError(
+            f"a curvlib.Surface is needed, not {type(surface).__name__}: curvlib.surface(name) or "
+            "curvlib.Surface(model) makes one"
+        )
     check_resolution(n)
     check_cut(diagonal)
     if not isinstance(seed, Integral) or seed < 0:

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError, check_name
-from curvlib.files import open_archive
-from curvlib.nurbs.tessellation import check_cut
+from curvlib.files import expanded, open_archive
+from curvlib.nurbs.tessellation import check_cut, check_resolution
 
 from .readings import Readings, choices_of, stem_of
 
@@ -32,12 +32,12 @@ class Study(Readings):
         self.surfaces = _names("surfaces", config["surfaces"], surfaces)
         self.estimators = _names("estimators", config["estimators"], estimators)
         _check_stems([*self.estimators, *self.surfaces])
-        self.resolutions = sorted(set(map(int, config["resolutions"])))
+        self.resolutions = _resolutions("resolutions", config["resolutions"])
         self.diagonals = _cuts("diagonals", config["diagonals"])
         self.more = [
             {
                 "diagonals": _cuts("more: diagonals", block["diagonals"]),
-                "resolutions": sorted(set(map(int, block["resolutions"]))),
+                "resolutions": _resolutions("more: resolutions", block["resolutions"]),
             }
             for block in config["more"]
         ]
@@ -155,6 +155,12 @@ def _check_stems(names):
             raise InputError(f"config: two files are called {stem_of(name)!r}: {other} and {name}")
 
 
+def _resolutions(key, value):
+    for n in map(int, value):
+        check_resolution(n, f"config: {key}")
+    return sorted(set(map(int, value)))
+
+
 def _cuts(key, value):
     for diagonal in value:
         check_cut(diagonal, f"config: {key}")
@@ -164,7 +170,7 @@ def _cuts(key, value):
 def _library(value):
     if Path(value).suffix != ".zip":
         return _folder("library", value)
-    path = Path(value).expanduser()
+    path = _path("library", value)
     if not path.exists():
         raise InputError(f"config: library: {str(path)!r} does not exist")
     try:
@@ -176,9 +182,18 @@ def _library(value):
 
 def _folder(key, value):
     """The path of a folder; InputError if it cannot be written to or made."""
-    path = Path(value).expanduser()
+    path = _path(key, value)
     existing = next(p for p in (path, *path.absolute().parents) if p.exists())
     if not existing.is_dir() or not os.access(existing, os.W_OK):
         reason = "is not a folder" if not existing.is_dir() else "cannot be written to"
         raise InputError(f"config: {key}: {str(path)!r} is no good, {str(existing)!r} {reason}")
     return path
+
+
+def _path(key, value):
+    if "{" in value or "}" in value:
+        raise InputError(f"config: {key}: {value!r} has a brace, Snakemake's sign of a wildcard")
+    try:
+        return expanded(value)
+    except InputError as error:
+        raise InputError(f"config: {key}: {error}") from None

@@ -20,26 +20,33 @@ def logged(path):
     """
     start, terminal = time.process_time(), sys.stderr
     print(_name(path), file=terminal, flush=True)
-    with (
-        Path(path).open("w", buffering=1, encoding="utf-8") as log,
-        contextlib.redirect_stdout(log),
-        contextlib.redirect_stderr(log),
-    ):
-        try:
-            yield
-        except Exception as error:
-            traceback.print_exc(file=log)
-            told = estimators.told(error) or surfaces.told(error)
-            if isinstance(error, InputError | OSError):
-                message = f"error: {error}"
-            elif told:
-                message = f"error: {told} (traceback: {path})"
-            else:
-                message = traceback.format_exc()
-            print(message, file=terminal, flush=True)
-            sys.exit(1)
-        work = time.process_time() - start
-        print(f"processor time: {start:.2f} s to start, {work:.2f} s of work")
+    try:
+        with (
+            Path(path).open("w", buffering=1, encoding="utf-8") as log,
+            contextlib.redirect_stdout(log),
+            contextlib.redirect_stderr(log),
+        ):
+            try:
+                yield
+            except (Exception, SystemExit) as error:
+                print(_message(error, path), file=terminal, flush=True)
+                traceback.print_exc(file=log)
+                sys.exit(1)
+            work = time.process_time() - start
+            print(f"processor time: {start:.2f} s to start, {work:.2f} s of work")
+    except OSError as error:  # of the log itself, on a full disk for one
+        print(f"error: {path}: {error.strerror}", file=terminal, flush=True)
+        sys.exit(1)
+
+
+def _message(error, path):
+    """What the terminal shows of an error in a job with this log."""
+    told = estimators.told(error) or surfaces.told(error)
+    if isinstance(error, InputError | OSError):
+        return f"error: {error}"
+    if told:
+        return f"error: {told} (traceback: {path})"
+    return "".join(traceback.format_exception(error))
 
 
 def _name(path):

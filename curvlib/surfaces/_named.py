@@ -1,5 +1,6 @@
 """Surfaces by name."""
 
+import inspect
 from pathlib import Path
 
 from curvlib.catalogue import surfaces
@@ -33,6 +34,10 @@ def surface(name: str) -> Surface:
     <Surface 'teapot_spout', domain ((0.0, 2.0), (0.0, 2.0))>
     """
     module = surfaces.module(name)
+    try:
+        inspect.signature(module.build).bind()
+    except TypeError as error:
+        raise InputError(f"surface file {str(name)!r}: build: {error}") from None
     try:
         return Surface(module.build(), name=Path(name).stem, label=module.LABEL)
     except InputError as error:

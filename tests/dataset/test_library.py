@@ -46,6 +46,25 @@ def test_a_resolution_is_a_number(folder):
     assert len(lib.mesh("sphere", np.int64(8)).faces) == 112
 
 
+def test_what_names_no_mesh(folder):
+    lib = curvlib.load_library(folder)
+    for surface, diagonal in ((["sphere"], "same"), ("sphere", {}), (np.array("sphere"), "same")):
+        with pytest.raises(curvlib.InputError, match=r"unknown (surface|diagonal) .*; valid: "):
+            lib.mesh(surface, 8, diagonal)
+    for key in ("a", ("sphere", 8), None):
+        with pytest.raises(curvlib.InputError, match=r"a mesh is \(surface, diagonal, n\), not "):
+            lib.only([key])
+    assert len(lib.only([["sphere", "same", 8]])) == 1
+
+
+def test_what_is_no_path(folder):
+    for path in (None, 3, [folder]):
+        with pytest.raises(curvlib.InputError, match="a path is expected, not "):
+            curvlib.load_library(path)
+    with pytest.raises(curvlib.InputError, match="File name too long"):
+        curvlib.load_library("a" * 5000)
+
+
 def test_a_library_says_what_it_has(folder):
     lib = curvlib.load_library(folder)
     assert repr(lib).splitlines() == [

@@ -1,5 +1,8 @@
 """A mesh keeps what it checked, and says in one line what it does not take."""
 
+import pickle
+from copy import deepcopy
+
 import numpy as np
 import pytest
 
@@ -64,12 +67,22 @@ def test_what_is_no_mesh(vertices, faces, message):
         ({"K": ["a", "b", "c"]}, "K: an array of numbers is expected"),
         ({"H": [1, 2]}, r"H: shape \(2,\), expected \(3,\)"),
         ({"smooth": [0, 1, 1]}, "smooth: an array of bool is expected, not int64"),
+        ({"pole": [[True], [True, False]]}, "pole: not an array of numbers"),
+        ({"normal": TRIANGLE}, "unknown field 'normal'; did you mean 'normals'"),
         ({"normals": [[0, 0, 1], [0, 0], [0, 0, 1]]}, "normals: not an array of numbers"),
     ],
 )
 def test_fields_are_checked(field, message):
     with pytest.raises(curvlib.InputError, match=message):
         curvlib.Mesh(TRIANGLE, [[0, 1, 2]], **field)
+
+
+def test_a_mesh_from_another_process_is_read_only_as_well():
+    mesh = curvlib.Mesh(TRIANGLE, [[0, 1, 2]], normals=TRIANGLE + 1, pole=[True, False, False])
+    for copy in (pickle.loads(pickle.dumps(mesh)), deepcopy(mesh)):
+        for name in ("vertices", "faces", "normals", "pole"):
+            np.testing.assert_array_equal(getattr(copy, name), getattr(mesh, name))
+            assert not getattr(copy, name).flags.writeable
 
 
 def test_more_vertices_than_32_bits_count(monkeypatch):

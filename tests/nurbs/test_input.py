@@ -46,6 +46,7 @@ def test_unknown_surface_names_the_nearest():
         ("a", 0.5, "u: 'a' is not a number"),
         (0.5, ["0.1", "0.2"], "v: .* is not a number"),
         ([0.1, [0.2, 0.3]], 0.5, "u: .* is not a number"),
+        (10**400, 0.5, "u: 10+.* is not a number"),
         (0.5j, 0.5, "u: 0.5j is not a number"),
         (None, 0.5, "u = nan lies outside"),
     ],
@@ -115,6 +116,7 @@ def test_models_that_are_refused(make, message):
     [
         ("LABEL = 'Mine'\n", "has no build: it has to hold"),
         ("def build():\n    return None\n", "has no LABEL: it has to hold"),
+        ("LABEL = 'Mine'\ndef build(n):\n    pass\n", "build: missing a required argument: 'n'"),
         ("LABEL = 'Mine'\ndef build():\n    return None\n", "a geomdl surface is needed"),
     ],
 )

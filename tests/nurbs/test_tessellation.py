@@ -96,6 +96,17 @@ def test_bad_resolution(n):
         curvlib.tessellate(curvlib.surface("sphere"), n)
 
 
+def test_no_surface():
+    for surface in ("sphere", None, curvlib.surface("sphere").model):
+        with pytest.raises(curvlib.InputError, match=r"a curvlib\.Surface is needed, not "):
+            curvlib.tessellate(surface, 8)
+
+
+def test_more_cells_than_a_mesh_counts():
+    with pytest.raises(curvlib.InputError, match="resolution 18919 is more than 18918"):
+        curvlib.tessellate(curvlib.surface("sphere"), 18919)
+
+
 def test_bad_diagonal():
     with pytest.raises(curvlib.InputError, match="'shortst'; did you mean 'shortest'"):
         curvlib.tessellate(curvlib.surface("sphere"), 8, "shortst")

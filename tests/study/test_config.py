@@ -62,6 +62,10 @@ MISTAKES = [
     ("results:", "results has to be the path of a folder, not None"),
     ("results: ''", "results has to be the path of a folder, not ''"),
     (f"results: {__file__}", "is not a folder"),
+    ("results: 'a/{b}'", "results: 'a/{b}' has a brace"),
+    ("results: ~no_user_of_this_name/a", "there is no such home folder"),
+    ("library: ~no_user_of_this_name/a.zip", "there is no such home folder"),
+    ("resolutions: [8, 100000]", "resolutions: resolution 100000 is more than 18918"),
     ("readings: {default: {}, a: {area: [half]}}", "unknown area ['half']; valid: third"),
 ]
 
@@ -135,6 +139,9 @@ def test_an_estimator_and_a_surface_of_one_stem(config, tmp_path):
         Study(config | both)
 
 
+MINE = "\n\ndef estimate(ring):\n    pass\n"
+
+
 def test_files_are_checked_when_the_study_is_read(config, tmp_path):
     mine = tmp_path / "mine.py"
     for key, text, message in (
@@ -146,6 +153,10 @@ def test_files_are_checked_when_the_study_is_read(config, tmp_path):
         ("estimators", "def estimate(ring):\n    pass\n", "mine.py' has no LABEL"),
         ("estimators", "LABEL = 'x'\nimport nonsens\n", "mine.py, line 2: ModuleNotFoundError"),
         ("estimators", "LABEL = 'x'\ndef estimate(ring, a):\n    pass\n", "'a' has no default"),
+        ("estimators", "LABEL = 'x'\nestimate = 3\n", "estimate has to be a function, not 3"),
+        ("estimators", f"LABEL = 3\n{MINE}", "LABEL has to be text, not 3"),
+        ("estimators", f"LABEL, STYLE = 'x', 'red'\n{MINE}", "STYLE has to be a dict"),
+        ("estimators", f"LABEL = 'x'\n{MINE}raise SystemExit(3)\n", "mine.py, line 6: SystemExit"),
         ("surfaces", "LABEL = 'x'\n", "surfaces: .*mine.py' has no build"),
         ("surfaces", "def build():\n    pass\n", "mine.py' has no LABEL"),
         ("surfaces", "LABEL = 'x\n", "mine.py, line 1: SyntaxError"),

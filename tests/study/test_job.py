@@ -57,6 +57,28 @@ def test_a_fault_in_an_estimators_file_is_one_line(tmp_path, terminal):
     assert "return first / 0" in log.read_text()
 
 
+def test_an_estimators_file_that_exits(tmp_path, terminal):
+    mine = tmp_path / "mine.py"
+    mine.write_text("def estimate(ring):\n    raise SystemExit('bye')\n")
+    code, log = run(tmp_path, lambda: estimators.module(str(mine)).estimate(None))
+    assert (code, terminal()[1]) == (
+        1,
+        f"error: estimator {mine}, line 2: SystemExit: bye (traceback: {log})",
+    )
+
+
+def test_a_log_that_cannot_be_written_is_one_line(tmp_path, terminal):
+    log = tmp_path / "logs/estimate/mine.log"
+    log.parent.mkdir(parents=True)
+    log.symlink_to("/dev/full")
+    for work, line in ((lambda: None, []), (fails(InputError("no mesh")), ["error: no mesh"])):
+        code, _ = run(tmp_path, work)
+        assert (code, terminal()) == (
+            1,
+            ["estimate mine", *line, f"error: {log}: No space left on device"],
+        )
+
+
 def test_a_fault_of_ours_keeps_its_traceback(tmp_path, terminal):
     code, _ = run(tmp_path, fails(KeyError("ours")))
     shown = terminal()
