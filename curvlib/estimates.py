@@ -74,8 +74,10 @@ class Estimates:
 
     @cached_property
     def undefined(self) -> dict[str, int]:
-        """Cause -> number of vertices that lack a value which the estimator returns elsewhere; of all
-        vertices where it returns none."""
+        """Cause -> number of vertices that lack a value which the estimator returns elsewhere.
+
+        Where it returns no value at all, every vertex lacks one.
+        """
         lacking = np.full(len(self._mesh.vertices), not self._found)
         for values in self._found.values():
             lacking |= np.isnan(values.reshape(len(lacking), -1)).any(1)
