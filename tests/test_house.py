@@ -26,7 +26,7 @@ DOORS = {
     "estimates": {"errors", "kit"},
     "estimation": {"catalogue", "errors", "estimates", "kit", "meshes", "parallel"},
     "dataset": {"errors", "files", "meshes", "nurbs"},
-    "comparison": {"catalogue", "estimation", "files", "kit", "meshes", "surfaces"},
+    "comparison": {"catalogue", "errors", "estimation", "files", "kit", "meshes", "surfaces"},
     "claims": {"comparison"},
     "figures": {"comparison", "errors", "files"},
     "study": {"catalogue", "comparison", "errors", "estimation", "files", "nurbs"},

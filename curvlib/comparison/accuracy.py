@@ -3,6 +3,8 @@
 import numpy as np
 import pandas as pd
 
+from curvlib.errors import InputError
+
 from .norms import NORMS, ROUNDING, VERTICES, rounding_level
 
 VARIANT = ["estimator", "variant", "counted"]
@@ -10,6 +12,28 @@ CURVE = ["surface", "diagonal", *VARIANT, "quantity", "more"]
 
 # |slope| below this is stagnation: half way from O(1) to O(h).
 STAGNATION = 0.5
+
+# Columns of text in the tables that jobs write; in the others stand numbers.
+WORDS = ("surface", "diagonal", "estimator", "variant", "counted", "ring", "quantity")
+# Columns of errors, empty where there is none.
+ERRORS = (*NORMS, "value", "spread")
+
+
+def read(path) -> pd.DataFrame:
+    """A table that an estimator's job wrote; InputError, naming the line, where it was damaged."""
+    try:
+        table = pd.read_csv(path)
+    except (pd.errors.ParserError, pd.errors.EmptyDataError) as error:
+        reason = f"no table ({str(error).strip()})"
+        raise InputError(f"{path}: {reason}; delete it and run again") from None
+    numbers = table.drop(columns=[c for c in WORDS if c in table])
+    wrong = numbers.apply(pd.to_numeric, errors="coerce").isna() & numbers.notna()
+    missing = table.drop(columns=[c for c in ERRORS if c in table]).isna()
+    bad = wrong.any(axis=1) | missing.any(axis=1)
+    if bad.any():
+        line = int(bad.to_numpy().argmax()) + 2
+        raise InputError(f"{path}: line {line} is damaged; delete the file and run again")
+    return table
 
 
 def by_variant(tables, readings, full) -> pd.DataFrame:

@@ -6,6 +6,7 @@ import pandas as pd
 import pytest
 
 import curvlib
+from curvlib.comparison import accuracy
 from curvlib.comparison import run as run_module
 from curvlib.comparison.norms import NORMS
 from curvlib.comparison.quantities import QUANTITIES
@@ -81,3 +82,22 @@ def test_nothing_half_written(meshes, tmp_path, monkeypatch, broken):
 def test_without_a_row_there_is_the_header(tmp_path):
     write_rows(tmp_path / "none.csv", ("a", "b"), [])
     assert (tmp_path / "none.csv").read_text() == "a,b\n"
+
+
+@pytest.mark.parametrize(
+    ("damage", "message"),
+    [
+        (lambda lines: [*lines[:3], "garbage\n", *lines[3:]], "line 4 is damaged"),
+        (lambda lines: [*lines[:2], lines[2].replace("sphere", "")], "line 3 is damaged"),
+        (lambda lines: [*lines[:2], lines[2].replace(",8,", ",eight,", 1)], "line 3 is damaged"),
+        (lambda lines: [*lines, lines[1].strip() + ",more,and,more\n"], "no table"),
+        (lambda lines: [], "no table"),
+    ],
+)
+def test_a_damaged_table_is_told(meshes, tmp_path, damage, message):
+    _, errors = run(meshes, tmp_path)
+    pd.testing.assert_frame_equal(accuracy.read(errors), pd.read_csv(errors))
+    lines = errors.read_text().splitlines(keepends=True)
+    errors.write_text("".join(damage(lines)))
+    with pytest.raises(curvlib.InputError, match=f"e.csv: {message}.*; delete"):
+        accuracy.read(errors)

@@ -8,7 +8,7 @@ from curvlib.study.job import logged
 with logged(snakemake.log[0]):
     inputs, params, output = snakemake.input, snakemake.params, snakemake.output
     readings = pd.DataFrame(params.readings)
-    rows = accuracy.by_variant(map(pd.read_csv, inputs.errors), readings, params.full)
+    rows = accuracy.by_variant(map(accuracy.read, inputs.errors), readings, params.full)
     curves = accuracy.curves(rows, readings)
     tabulated = readings[readings.kind != "product"]
     errors = accuracy.errors(rows, tabulated)
@@ -19,8 +19,8 @@ with logged(snakemake.log[0]):
         "errors": errors,
         "convergence": accuracy.convergence(curves, tabulated),
         "ranks": accuracy.ranks(errors, rows),
-        "noise": accuracy.concat(map(pd.read_csv, inputs.noise)),
-        "rings": accuracy.ring_slopes(accuracy.concat(map(pd.read_csv, inputs.rings))),
+        "noise": accuracy.concat(map(accuracy.read, inputs.noise)),
+        "rings": accuracy.ring_slopes(accuracy.concat(map(accuracy.read, inputs.rings))),
     }
     for name, table in tables.items():
         table.to_csv(output[name], index=False)
