@@ -7,37 +7,7 @@ import numpy as np
 from .compiled import compiled
 from .ring import ROUNDING, owning_ring
 
-# Coordinates within the range of float32 are not scaled: fifth powers of lengths fit float64.
-RANGE = 2.0**128
 SMALLEST = np.finfo(float).tiny
-
-
-def unit(vertices) -> float:
-    """The power of two by which coordinates are multiplied, so that no product of lengths
-    overflows or underflows.
-
-    Parameters
-    ----------
-    vertices : ndarray of float64, (V, 3)
-        Coordinates of the mesh, finite.
-
-    Returns
-    -------
-    float
-        1 where the largest absolute coordinate lies between 3e-39 and 3e38, or is zero.
-
-    Examples
-    --------
-    >>> unit(np.array([[0.0, 1.0, 2.0]]))
-    1.0
-    >>> unit(np.array([[0.0, 0.0, 2.0**200]])) == 2.0**-201
-    True
-    """
-    largest = max(vertices.max(), -vertices.min()) if len(vertices) else 0.0
-    if largest == 0 or 1 / RANGE <= largest <= RANGE:
-        return 1.0
-    # At most 2^1023: the inverse of a subnormal number is no float64.
-    return math.ldexp(1.0, min(-math.frexp(largest)[1], 1023))
 
 
 @compiled
@@ -57,7 +27,7 @@ def gather(vertices, normals, centres, neighbours, start, end, unit):
     start, end : int
         Which of the M.
     unit : float
-        `unit(vertices)`: lengths of the Ring are multiplied by it.
+        `Mesh.unit`: lengths of the Ring are multiplied by it.
 
     Returns
     -------

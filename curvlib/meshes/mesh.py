@@ -1,5 +1,6 @@
 """Triangle meshes: validation, boundary, and ordered one-rings in batches of equal valence."""
 
+import math
 from functools import cached_property
 
 import numpy as np
@@ -23,6 +24,9 @@ FLAGS = ("smooth", "pole")
 
 # Rings are stored as 32-bit indices.
 MOST_VERTICES = 1 << 31
+
+# Coordinates within the range of float32 are not scaled: fifth powers of lengths fit float64.
+RANGE = 2.0**128
 
 # Normals within this of unit length are not rescaled.
 UNIT = 1e-12
@@ -141,10 +145,16 @@ class Mesh:
 
     @cached_property
     def unit(self) -> float:
-        """The power of two by which lengths of rings are multiplied (curvlib.kit.batch.unit)."""
-        from ..kit.batch import unit
+        """The power of two by which lengths of rings are multiplied, so that no product of them
+        overflows or underflows.
 
-        return unit(self.vertices)
+        1 where the largest absolute coordinate lies between 3e-39 and 3e38, or is zero.
+        """
+        largest = max(self.vertices.max(), -self.vertices.min()) if len(self.vertices) else 0.0
+        if largest == 0 or 1 / RANGE <= largest <= RANGE:
+            return 1.0
+        # At most 2^1023: the inverse of a subnormal number is no float64.
+        return math.ldexp(1.0, min(-math.frexp(largest)[1], 1023))
 
     @property
     def rings(self) -> list:

@@ -119,3 +119,9 @@ def test_faces_that_name_a_vertex_twice_make_no_boundary():
     a, b, _ = m.faces[::5].T
     faces = np.concatenate([m.faces, np.column_stack([a, b, b])])
     assert not curvlib.Mesh(m.vertices, faces).boundary.any()
+
+
+def test_coordinates_beyond_float32_are_scaled_by_a_power_of_two():
+    assert curvlib.Mesh(TRIANGLE, [[0, 1, 2]]).unit == 1
+    assert curvlib.Mesh(2.0**200 * TRIANGLE, [[0, 1, 2]]).unit == 2.0**-201
+    assert curvlib.Mesh(0 * TRIANGLE, [[0, 1, 2]]).unit == 1
