@@ -8,7 +8,6 @@ import curvlib
 from curvlib.catalogue import estimators as catalogue
 from curvlib.claims.cell import NINE as PAPER
 from curvlib.estimation import readings
-from curvlib.kit.batch import unit
 from curvlib.kit.ring import alpha, beta, one_ring, total_angle
 
 
@@ -144,14 +143,3 @@ def test_written_rings_stay_with_who_wrote(tmp_path, name, ellipsoid):
         together = curvlib.estimate(ellipsoid, [str(path), name])
         for values, expected in zip(together[name], curvlib.estimate(ellipsoid, name)):
             np.testing.assert_array_equal(values, expected)
-
-
-def test_units_are_powers_of_two():
-    """Exact, and one for whatever float32 can hold."""
-    for largest in (0.0, 1e-38, 1.0, 3e38):
-        assert unit(np.array([[-largest, 0, 0]])) == 1
-    for largest in (5e-324, 1e-300, 1e-150, 1e150, 1.7e308):
-        factor = unit(np.array([[0, largest, 0], [0, -largest / 2, 0]]))
-        assert np.frexp(factor)[0] == 0.5
-        assert largest == 5e-324 or 0.25 <= largest * factor <= 1
-    assert unit(np.empty((0, 3))) == 1

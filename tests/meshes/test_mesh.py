@@ -121,7 +121,16 @@ def test_faces_that_name_a_vertex_twice_make_no_boundary():
     assert not curvlib.Mesh(m.vertices, faces).boundary.any()
 
 
-def test_coordinates_beyond_float32_are_scaled_by_a_power_of_two():
-    assert curvlib.Mesh(TRIANGLE, [[0, 1, 2]]).unit == 1
-    assert curvlib.Mesh(2.0**200 * TRIANGLE, [[0, 1, 2]]).unit == 2.0**-201
-    assert curvlib.Mesh(0 * TRIANGLE, [[0, 1, 2]]).unit == 1
+def unit_of(vertices):
+    return curvlib.Mesh(vertices, np.empty((0, 3), int)).unit
+
+
+def test_units_are_powers_of_two():
+    """Exact, and one for whatever float32 can hold."""
+    for largest in (0.0, 1e-38, 1.0, 3e38):
+        assert unit_of(np.array([[-largest, 0, 0]])) == 1
+    for largest in (5e-324, 1e-300, 1e-150, 1e150, 1.7e308):
+        factor = unit_of(np.array([[0, largest, 0], [0, -largest / 2, 0]]))
+        assert np.frexp(factor)[0] == 0.5
+        assert largest == 5e-324 or 0.25 <= largest * factor <= 1
+    assert unit_of(np.empty((0, 3))) == 1
