@@ -13,6 +13,9 @@ import numpy as np
 from .catalogue import estimators
 from .errors import InputError, check_name
 from .estimates import Estimates, warn_of_undefined
+from .kit.batch import gather, scatter
+from .kit.options import as_options
+from .kit.tensor import Curvatures
 from .meshes.exchange import as_mesh
 from .parallel import for_each
 
@@ -123,8 +126,6 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     >>> curvlib.estimate(tetrahedron, "gauss_bonnet").K.round(4)
     array([0.9069, 0.9069, 0.9069, 0.9069])
     """
-    from .kit.batch import gather
-    from .kit.options import as_options
 
     _keep_pages()
     mesh = as_mesh(mesh)
@@ -176,12 +177,18 @@ class _Found:
 
     def scatter(self, returned, at, start, end, unit):
         """Scatter the values returned for the vertices at[start:end]; `unit` as in `gather`."""
-        from .kit.batch import scatter
-
-        for name, values in self._checked(returned, end - start).items():
-            target = self._target(name, values.ndim)
-            for component, column in zip(np.atleast_2d(values), np.atleast_2d(target.T)):
-                scatter(component, at, start, column, unit, POWERS[name])
+        for name, values in zip(self._names(returned), returned):
+            if values is None:
+                continue
+            values = self._checked(name, values, end - start)
+            target = self.arrays.get(name)
+            if target is None:
+                target = self._target(name, values.ndim)
+            if values.ndim == 1:
+                scatter(values, at, start, target, unit, POWERS[name])
+            else:
+                for component, column in zip(values, target.T):
+                    scatter(component, at, start, column, unit, POWERS[name])
 
     def _target(self, name, dimensions):
         with self._lock:  # the first block to finish allocates
@@ -190,10 +197,8 @@ class _Found:
                 self.arrays[name] = np.full(shape, np.nan)
         return self.arrays[name]
 
-    def _checked(self, returned, count):
-        """Arrays (count,) or (3, count) by name; InputError for anything else."""
-        from .kit.tensor import Curvatures
-
+    def _names(self, returned):
+        """The names of the values that were returned; InputError where they are something else."""
         names = getattr(returned, "_fields", ("K", "H"))
         known = isinstance(returned, tuple) and names in (("K", "H"), Curvatures._fields)
         if not known or len(returned) != len(names):
@@ -201,22 +206,21 @@ class _Found:
                 f"estimator {self.name!r} has to return K and H, not {type(returned).__name__}; "
                 "or curvlib.kit.tensor.Curvatures"
             )
-        arrays = {}
-        for name, values in zip(names, returned):
-            if values is None:
-                continue
-            try:
-                found = np.asarray(values)
-            except ValueError as error:
-                raise InputError(f"estimator {self.name!r}: {name}: {error}") from None
-            expected = (3, count) if name in ("d1", "d2") else (count,)
-            if found.shape != expected or found.dtype.kind not in "biuf":
-                raise InputError(
-                    f"estimator {self.name!r} returned an array of shape {found.shape} of "
-                    f"{found.dtype} as {name}, expected {expected} of float64"
-                )
-            arrays[name] = np.asarray(found, dtype=float, order="C")
-        return arrays
+        return names
+
+    def _checked(self, name, values, count):
+        """The array (count,), or (3, count) of a direction; InputError for anything else."""
+        expected = (3, count) if name in ("d1", "d2") else (count,)
+        try:
+            found = np.asarray(values)
+        except ValueError as error:
+            raise InputError(f"estimator {self.name!r}: {name}: {error}") from None
+        if found.shape != expected or found.dtype.kind not in "biuf":
+            raise InputError(
+                f"estimator {self.name!r} returned an array of shape {found.shape} of "
+                f"{found.dtype} as {name}, expected {expected} of float64"
+            )
+        return np.asarray(found, dtype=float, order="C")
 
 
 def takes_mesh(function) -> bool:

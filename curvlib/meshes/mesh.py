@@ -72,10 +72,10 @@ class Mesh:
         count = len(self.vertices)
         if max(count, 3 * len(self.faces)) >= MOST_VERTICES:
             raise InputError(f"mesh: more than {MOST_VERTICES} vertices or corners of faces")
-        # A test of the sum would fail on finite values that overflow.
-        finite = np.isfinite(self.vertices)
-        if not finite.all():
-            row = int(np.argmin(finite)) // 3
+        # NaN and infinities show in the extremes, which `unit` needs too.
+        self._largest = float(max(self.vertices.max(), -self.vertices.min())) if count else 0.0
+        if not math.isfinite(self._largest):
+            row = int(np.argmin(np.isfinite(self.vertices))) // 3
             raise InputError(f"vertices: vertex {row} has a coordinate that is not finite")
         indices = self.faces.view(np.uintp)  # unsigned, a negative index is large
         if indices.size and indices.max() >= count:
@@ -143,14 +143,14 @@ class Mesh:
             on_boundary[ends[at[uses == 1]]] = True
         return on_boundary
 
-    @cached_property
+    @property
     def unit(self) -> float:
         """The power of two by which lengths of rings are multiplied, so that no product of them
         overflows or underflows.
 
         1 where the largest absolute coordinate lies between 3e-39 and 3e38, or is zero.
         """
-        largest = max(self.vertices.max(), -self.vertices.min()) if len(self.vertices) else 0.0
+        largest = self._largest
         if largest == 0 or 1 / RANGE <= largest <= RANGE:
             return 1.0
         # At most 2^1023: the inverse of a subnormal number is no float64.
