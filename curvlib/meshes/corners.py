@@ -100,9 +100,11 @@ def _covers(a, b, c):
 def _count(faces, total, shift, counts):
     """Add the corners of faces (F, 3) per bucket to counts (buckets,); False if an index is
     not in 0 ... total - 1."""
+    most = np.uint64(total)
     for f in range(len(faces)):
         a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
-        if min(a, b, c) < 0 or max(a, b, c) >= total:
+        # Unsigned, a negative index is a large one.
+        if np.uint64(a) >= most or np.uint64(b) >= most or np.uint64(c) >= most:
             return False
         if _covers(a, b, c):
             counts[a >> shift] += 1
