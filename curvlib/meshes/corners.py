@@ -57,8 +57,9 @@ def one_rings(faces, total, threads: int = 1):
         ordered = np.empty_like(pairs[own])
         _by_vertex(owners[own], pairs[own], begin, begin[:-1].copy(), ordered)
         valence = np.diff(begin)
-        _close(ordered, begin, _table(valence), valence)
-        return list(_batches(ordered, begin, valence, first, neighbours[own]))
+        rings = np.zeros(int(valence.max(initial=0)) + 1, dtype=np.intp)
+        _close(ordered, begin, _table(valence), valence, rings)
+        return list(_batches(ordered, begin, valence, rings, first, neighbours[own]))
 
     for_each(count, range(len(parts)), threads)
     # Ordered by bucket, then by part, so that the corners of a vertex keep the order of the faces.
@@ -76,10 +77,11 @@ def _table(valence):
     return np.empty(5 * largest if largest >= MANY else 0, dtype=np.int64)
 
 
-def _batches(pairs, begin, valence, first, neighbours):
-    """Yield the batches of a bucket, whose neighbours are written to `neighbours` (corners,)."""
-    rings = np.bincount(valence, minlength=1)
-    rings[0] = 0
+def _batches(pairs, begin, valence, rings, first, neighbours):
+    """Yield the batches of a bucket, whose neighbours are written to `neighbours` (corners,).
+
+    `rings`: how many there are of each valence.
+    """
     slots = np.arange(len(rings)) * rings
     ends, vertices = rings.cumsum(), np.empty(rings.sum(), dtype=np.int32)
     at, slot = ends - rings, slots.cumsum() - slots
@@ -143,13 +145,13 @@ def _by_vertex(owners, pairs, begin, place, ordered):
 
 
 @compiled
-def _close(pairs, begin, table, valence):
-    """Order the pairs of each vertex as a walk around it; set the valence to zero where they do
-    not close to one ring."""
+def _close(pairs, begin, table, valence, rings):
+    """Order the pairs of each vertex as a walk around it and count it in rings[its valence]; set
+    the valence to zero where they do not close to one ring."""
     for v in range(len(valence)):
         own = pairs[begin[v] : begin[v + 1]]
         if len(own) >= 3 and (_walk(own) if len(own) < MANY else _walk_by_table(own, table)):
-            valence[v] = len(own)
+            rings[len(own)] += 1
         else:
             valence[v] = 0
 
