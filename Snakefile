@@ -1,5 +1,5 @@
 # The whole study: `snakemake` alone makes everything that rule `all` names.
-# config -> library -> estimates -> errors, slopes, ranks -> figures, tables, article
+# config -> library -> estimates -> explanations -> errors, slopes, ranks -> claims -> figures, article
 
 
 report: "workflow/report/workflow.rst"
@@ -18,6 +18,8 @@ if not ARCHIVED:
 
 
 include: "workflow/rules/estimates.smk"
+include: "workflow/rules/explanations.smk"
+include: "workflow/rules/refined.smk"
 include: "workflow/rules/accuracy.smk"
 include: "workflow/rules/claims.smk"
 include: "workflow/rules/pictures.smk"

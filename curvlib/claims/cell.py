@@ -1,7 +1,9 @@
 """The evidence of a claim: the paper's nine estimators on one surface, cut and reading."""
 
+import enum
 import functools
-from dataclasses import dataclass
+from collections import namedtuple
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -9,8 +11,32 @@ NINE = ["circular", "gauss_bonnet", "paraboloid", "taubin", "taubin_a", "taubin_
 NINE += ["watanabe", "watanabe_a", "watanabe_b"]
 FAVOURITES = {"K": "gauss_bonnet", "H": "paraboloid"}
 SEVEN = ["cylinder", "cone", "sphere", "revolution", "teapot_body", "teapot_spout", "ellipsoid"]
+# Surfaces so much alike that their rankings are not two independent observations.
+SIMILAR_PAIRS = [("cylinder", "cone"), ("sphere", "ellipsoid"), ("teapot_body", "teapot_spout")]
 
 TIE = 0.02  # errors within 2 % of each other are a tie
+
+Orders = namedtuple("Orders", "order low high verdict")
+Orders.__doc__ = """Order of convergence over the finest half: overall, and the range of the local
+ones (NaN for fewer than three points); the verdict of curves.csv."""
+
+
+class Holds(enum.StrEnum):
+    """A verdict on a claim, from the worst to the best."""
+
+    FALSE = "false"
+    UNDECIDED = "undecided"
+    DEGENERATE = "degenerate"  # nothing to rank: the two best errors are at rounding level
+    TRUE = "true"
+
+    @classmethod
+    def of(cls, truth) -> "Holds":
+        return cls.TRUE if truth else cls.FALSE
+
+    @classmethod
+    def all(cls, verdicts) -> "Holds":
+        """The conjunction: the worst of the verdicts."""
+        return min(verdicts, key=list(cls).index)
 
 
 def chosen(surfaces) -> list:
@@ -23,27 +49,45 @@ def chosen(surfaces) -> list:
 class Cell:
     """One surface, cut and reading; quantities are the keys of FAVOURITES.
 
-    `diagonal`: how the surface is cut; `n` (r,) the resolutions; `mean` quantity -> mean errors
-    (r, 9) of the NINE; `finest` (quantity, norm) -> (9,) at the largest n; `noise` quantity -> (9,)
-    mean errors under noise; `curve` (quantity, estimator) -> (tail, tail_stderr, verdict);
-    `consensus` quantity -> mean ranks (9,) over the other surfaces of the SEVEN. Errors below
-    rounding are raised to that level; undefined ones are infinite."""
+    `surface`; `diagonal`: how it is cut; `n` (r,) the resolutions; `mean` quantity -> mean errors
+    (r, 9) of the NINE, NaN where an estimator has none or one over fewer vertices than another;
+    `vertices` quantity -> (r,) how many the means are over; `level` quantity -> the error up to
+    which it is rounding; `curve` (quantity, estimator) -> Orders; `response` quantity -> (t, 9)
+    mean responses to noise in the trials, empty where there are none."""
 
+    surface: str
     diagonal: str
     n: np.ndarray
     mean: dict
-    finest: dict
-    noise: dict
+    vertices: dict
+    level: dict
     curve: dict
-    consensus: dict
+    response: dict = field(default_factory=dict)
+
+    @functools.cached_property
+    def errors(self):
+        """Quantity -> mean errors (r, 9), those below rounding raised to its level."""
+        return {q: np.maximum(mean, self.level[q]) for q, mean in self.mean.items()}
+
+    @functools.cached_property
+    def complete(self):
+        """Quantity -> (r,) bool: all nine have an error over the same vertices."""
+        return {q: np.isfinite(mean).all(-1) for q, mean in self.mean.items()}
+
+    @functools.cached_property
+    def degenerate(self):
+        """Quantity -> (r,) bool: the two least errors are rounding."""
+        return {
+            q: np.sort(errors, axis=-1)[:, 1] <= self.level[q] for q, errors in self.errors.items()
+        }
 
     @functools.cached_property
     def ratios(self):
-        """Quantity -> the favourite's mean error over the least of the other eight (r,), and the
-        name of that other (r,)."""
+        """Quantity -> the favourite's error over the least of the other eight (r,), and the name
+        of that other (r,)."""
         found = {}
         for quantity, favourite in FAVOURITES.items():
-            mine, errors = NINE.index(favourite), self.mean[quantity]
+            mine, errors = NINE.index(favourite), self.errors[quantity]
             others, rivals = np.delete(errors, mine, axis=-1), np.delete(NINE, mine)
             found[quantity] = errors[:, mine] / others.min(-1), rivals[others.argmin(-1)]
         return found
@@ -51,7 +95,19 @@ class Cell:
     @functools.cached_property
     def ranks(self):
         """Quantity -> ranks by mean error (r, 9)."""
-        return {quantity: tied_ranks(errors) for quantity, errors in self.mean.items()}
+        return {quantity: tied_ranks(errors) for quantity, errors in self.errors.items()}
+
+    def states(self, truths, *quantities) -> list[Holds]:
+        """Verdicts at each n on a statement about the ranking by some quantities, true where
+        `truths` (r,) is, unless it is degenerate or an error is missing."""
+        states = list(map(Holds.of, truths))
+        for quantity in quantities:
+            for i in np.flatnonzero(self.degenerate[quantity]):
+                states[i] = Holds.DEGENERATE
+        for quantity in quantities:
+            for i in np.flatnonzero(~self.complete[quantity]):
+                states[i] = Holds.UNDECIDED
+        return states
 
 
 def tied_ranks(errors):
@@ -60,15 +116,25 @@ def tied_ranks(errors):
     return 1 + smaller.sum(-1)
 
 
-def kendall(a, b):
-    """Kendall's tau-b of two rankings; NaN where either ties throughout."""
-    return _kendall(tuple(a), tuple(b))
-
-
 # Kept: most readings share their rankings, and SciPy takes 0.2 ms a pair.
 @functools.cache
-def _kendall(a, b):
+def kendall_tau(a: tuple, b: tuple) -> float:
+    """Kendall's tau-b of two rankings; NaN where either ties throughout."""
     from scipy.stats import kendalltau
 
-    # SciPy divides twice, so that 0.5 becomes 0.4999999999999999, below DIFFERENT.
+    # SciPy divides twice, so that 0.5 becomes 0.4999999999999999.
     return round(float(kendalltau(a, b).statistic), 14)
+
+
+@functools.cache
+def kendall_w(rankings: tuple) -> float:
+    """Kendall's coefficient of concordance of at least two rankings (tuples): 1 if all agree, 0 if
+    they have nothing in common. NaN for fewer, and where all tie throughout."""
+    from scipy.stats import friedmanchisquare
+
+    judges, items = len(rankings), len(rankings[0]) if rankings else 0
+    if judges < 2 or all(len(set(ranking)) == 1 for ranking in rankings):
+        return np.nan
+    # Friedman's statistic, corrected for ties, is W times judges (items - 1).
+    statistic = friedmanchisquare(*np.transpose(rankings)).statistic
+    return round(float(statistic) / (judges * (items - 1)), 14)

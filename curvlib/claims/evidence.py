@@ -5,18 +5,20 @@ import pandas as pd
 
 from curvlib.comparison.norms import VERTICES
 
-from .cell import FAVOURITES, NINE, SEVEN, Cell
-from .sentences import CLAIMS, Verdict, orders
+from .cell import FAVOURITES, NINE, SEVEN, Cell, Holds, Orders
+from .claim import Verdict
+from .convergence import orders
+from .sentences import CLAIMS
 
-NOISE_SIGMA = 0.01
 QUADRIC = "quadric"  # in place of a surface: the quadrics of the shrinking rings
-BOTH = tuple(FAVOURITES)  # K and H
-NORMS = ("mean", "q95", "max")
-FIT = ["tail", "tail_stderr", "verdict"]
+TOGETHER = "all"  # in place of a surface: the SEVEN together
+PAPER, REFINED = "paper", "refined"  # its resolutions and cut; more resolutions, other cuts
+QUANTITIES = tuple(FAVOURITES)  # K and H
+ORDERS = ["order", "order_low", "order_high", "verdict"]
 
 
 def decide(readings, variants, curves, noise, rings) -> pd.DataFrame:
-    """Decide every claim for every surface, cut and reading.
+    """Decide every claim for every surface, cut and tabulated reading.
 
     Parameters
     ----------
@@ -27,105 +29,154 @@ def decide(readings, variants, curves, noise, rings) -> pd.DataFrame:
     Returns
     -------
     DataFrame
-        `claims.csv`: claim, surface, diagonal, reading, `holds` (true, false or undecided),
-        `effect` and `evidence`. A claim about an estimator that the reading does not have is
-        undecided.
+        `claims.csv`: claim, surface, diagonal, reading, `meshes` (`paper`: its resolutions and its
+        cut; `refined`: up to the finest mesh, and other cuts), `holds` (true, false, undecided or
+        degenerate), `from_n` (from which resolution on it holds), `effect` and `evidence`. A claim
+        about an estimator that the reading does not have is undecided.
     """
-    evidence = _Evidence(variants, curves, noise, rings)
-    by_reading = readings.groupby("reading", sort=False)
-    return pd.DataFrame(row for _, reading in by_reading for row in evidence.decide(reading))
+    evidence = Evidence(variants, curves, noise, rings)
+    by_reading = readings[readings.kind != "product"].groupby("reading", sort=False)
+    rows = (row for _, reading in by_reading for row in evidence.rows(reading))
+    return pd.DataFrame(rows, columns=COLUMNS)
 
 
-class _Evidence:
+COLUMNS = ["claim", "surface", "diagonal", "reading", "meshes", "holds", "from_n", "effect"]
+COLUMNS += ["evidence"]
+
+
+class Evidence:
     """Look-ups by variant, from which the cells of any reading are assembled."""
 
-    def __init__(self, variants, curves, noise, rings):
-        full = variants[variants.full]
+    def __init__(self, variants, curves=None, noise=None, rings=None):
         cut = ["surface", "diagonal"]
-        self.cuts = list(full[cut].drop_duplicates().itertuples(index=False, name=None))
-        self.resolutions = np.sort(full.n.unique())
-        # (counted, estimator, variant) -> errors (cuts, quantities, norms, resolutions)
-        self.errors, variant = {}, ["counted", "estimator", "variant"]
-        self.missing = np.full(
-            (len(self.cuts), len(BOTH), len(NORMS), len(self.resolutions)), np.inf
-        )
-        self.levels = np.zeros((len(self.cuts), len(BOTH), 1, 1, 1))
-        for key, rows in full[full.quantity.isin(BOTH)].groupby(variant):
-            place = [self.cuts.index(c) for c in zip(rows.surface, rows.diagonal)]
-            quantity = [BOTH.index(q) for q in rows.quantity]
-            n = np.searchsorted(self.resolutions, rows.n)
-            values = rows[list(NORMS)].fillna(np.inf)
-            self.errors[key] = self.missing.copy()
-            self.errors[key][place, quantity, :, n] = values
-            self.levels[place, quantity, 0, 0, 0] = rows.rounding
-        key = [*cut, "counted", "quantity", "estimator", "variant"]
-        fitted = curves[["more", *key]].itertuples(index=False, name=None)
-        self.curves = dict(zip(fitted, curves[FIT].itertuples(index=False, name=None)))
-        noise = noise[noise.sigma == NOISE_SIGMA]
-        noise = noise.set_index(["surface", "quantity", "estimator", "variant"]).value
-        self.noise = dict(noise.dropna())
-        kinds = "valence-" + rings.valence.astype(str) + "-" + rings.ring
-        fitted = zip(kinds, rings.quantity, rings.estimator, rings.variant)
-        fit = rings[["slope", "stderr", "verdict"]].itertuples(index=False, name=None)
-        self.rings = dict(zip(fitted, fit))
-        self.kinds = sorted(set(kinds))
+        self.cuts = list(variants[cut].drop_duplicates().itertuples(index=False, name=None))
+        self.n = np.sort(variants.n.unique())
+        shape = (len(self.cuts), len(self.n))
+        self.paper, self.full, self.measured = np.zeros((3, *shape), dtype=bool)
+        self.level = np.zeros((len(QUANTITIES), len(self.cuts)))
+        # (counted, estimator, variant) -> means, vertices (quantities, cuts, resolutions)
+        self.means, variant = {}, ["counted", "estimator", "variant"]
+        self.missing = np.full((2, len(QUANTITIES), *shape), np.nan)
+        row_of = {c: i for i, c in enumerate(self.cuts)}
+        for key, rows in variants[variants.quantity.isin(QUANTITIES)].groupby(variant):
+            place = [row_of[c] for c in zip(rows.surface, rows.diagonal)]
+            n = np.searchsorted(self.n, rows.n)
+            quantity = [QUANTITIES.index(q) for q in rows.quantity]
+            self.means[key] = self.missing.copy()
+            self.means[key][:, quantity, place, n] = rows["mean"], rows.vertices
+            self.paper[place, n], self.full[place, n] = rows.paper, rows.full
+            self.measured[place, n] = True
+            self.level[quantity, place] = rows.rounding
+        key = ["more", *cut, "counted", "quantity", "estimator", "variant"]
+        self.curves = {} if curves is None else _look_up(curves, key)
+        self.noise, self.rings, self.kinds = None, {}, []
+        if noise is not None:
+            trials = noise[noise.sigma > 0]
+            key = ["surface", "n", "sigma", "quantity", "estimator", "variant"]
+            self.noise = trials.set_index(key).response.to_dict()
+            self.trials = list(trials[["n", "sigma"]].drop_duplicates().itertuples(index=False))
+        if rings is not None:
+            kinds = "valence-" + rings.valence.astype(str) + "-" + rings.ring
+            key = ["kind", "quantity", "estimator", "variant"]
+            self.rings = _look_up(rings.assign(kind=kinds), key)
+            self.kinds = sorted(set(kinds))
 
-    def decide(self, reading):
+    def rows(self, reading):
         """Yield rows of claims.csv for one reading, its rows of readings.csv."""
-        counted, name, more = reading[["counted", "reading", "more"]].iloc[0]
+        name = reading.reading.iloc[0]
         variants = dict(zip(reading.estimator, reading.variant))
-        errors = [self.errors.get((counted, e, variants.get(e)), self.missing) for e in NINE]
-        # Raised to the rounding level: (cuts, quantities, norms, resolutions, 9)
-        errors = np.maximum(np.stack(errors, axis=-1), self.levels)
-        cells = {
-            (surface, diagonal): Cell(
-                diagonal,
-                self.resolutions,
-                mean={q: of_cut[i, 0] for i, q in enumerate(BOTH)},
-                finest={
-                    (q, m): of_cut[i, j, -1]
-                    for i, q in enumerate(BOTH)
-                    for j, m in enumerate(NORMS)
-                },
-                noise={q: self._noise(surface, q, variants) for q in BOTH},
-                curve=_present(self.curves, (more, surface, diagonal, counted), variants),
-                consensus={},
-            )
-            for (surface, diagonal), of_cut in zip(self.cuts, errors)
-        }
-        for (surface, diagonal), cell in cells.items():
-            peers = [cells[s, diagonal] for s in SEVEN if s != surface and (s, diagonal) in cells]
-            for q in BOTH:
-                ranks = [peer.ranks[q][-1] for peer in peers] or [np.full(len(NINE), np.nan)]
-                cell.consensus[q] = np.mean(ranks, axis=0)
+        cells = self.cells(reading)
+        for meshes, cell in cells:
+            first = (cell.surface, cell.diagonal, name, meshes)
             for claim in CLAIMS.values():
-                yield _row(claim, surface, diagonal, name, _verdict(claim, cell, variants))
-        if counted == VERTICES[0]:
+                if not claim.together:
+                    yield from _row(claim, *first, _verdict(claim, cell, variants))
+        for meshes, diagonal in dict.fromkeys((meshes, cell.diagonal) for meshes, cell in cells):
+            here = [c for m, c in cells if (m, c.diagonal) == (meshes, diagonal)]
+            seven = [cell for cell in here if cell.surface in SEVEN]
+            for claim in CLAIMS.values():
+                if claim.together and seven:
+                    verdict = _verdict(claim, seven, variants)
+                    yield from _row(claim, TOGETHER, diagonal, name, meshes, verdict)
+        if reading.counted.iloc[0] == VERTICES[0]:
             (claim,) = (claim for claim in CLAIMS.values() if claim.decide is orders)
             for kind in self.kinds:
                 curve = _present(self.rings, (kind,), variants)
-                cell = Cell(kind, self.resolutions, {}, {}, {}, curve, {})
-                yield _row(claim, QUADRIC, kind, name, _verdict(claim, cell, variants))
+                cell = Cell(QUADRIC, kind, [0], {}, {}, {}, curve)
+                verdict = _verdict(claim, cell, variants)._replace(from_n=np.nan)
+                yield from _row(claim, QUADRIC, kind, name, REFINED, verdict)
 
-    def _noise(self, surface, quantity, variants):
-        keys = [(surface, quantity, e, variants.get(e)) for e in NINE]
-        return np.array([self.noise.get(key, np.inf) for key in keys])
+    def cells(self, reading) -> list[tuple]:
+        """(meshes, Cell) for every surface and cut of one reading, its rows of readings.csv."""
+        counted, more = reading[["counted", "more"]].iloc[0]
+        variants = dict(zip(reading.estimator, reading.variant))
+        keys = [(counted, name, variants.get(name)) for name in NINE]
+        # (quantities, cuts, resolutions, 9)
+        mean, vertices = np.stack([self.means.get(k, self.missing) for k in keys], axis=-1)
+        most = np.fmax.reduce(vertices, axis=-1)
+        # An estimator gains nothing by failing: a mean over fewer vertices is not compared.
+        mean = np.where(vertices == most[..., None], mean, np.nan)
+        found = []
+        for i, (surface, diagonal) in enumerate(self.cuts):
+            grids = {}
+            if self.paper[i].any():
+                grids[PAPER] = self.paper[i], False
+            beyond = self.measured[i] if more else self.full[i]
+            if (beyond & ~self.paper[i]).any():
+                grids[REFINED] = beyond, more
+            for meshes, (use, everywhere) in grids.items():
+                place = (everywhere, surface, diagonal, counted)
+                on_paper = self.noise is not None and meshes == PAPER
+                cell = Cell(
+                    surface,
+                    diagonal,
+                    self.n[use],
+                    mean={q: mean[j, i, use] for j, q in enumerate(QUANTITIES)},
+                    vertices={q: most[j, i, use] for j, q in enumerate(QUANTITIES)},
+                    level={q: self.level[j, i] for j, q in enumerate(QUANTITIES)},
+                    curve=_present(self.curves, place, variants),
+                    response=self._response(surface, variants) if on_paper else {},
+                )
+                found.append((meshes, cell))
+        return found
+
+    def _response(self, surface, variants):
+        """Quantity -> mean responses (trials, 9), NaN where there is none."""
+        return {
+            quantity: np.array(
+                [
+                    [
+                        self.noise.get((surface, *trial, quantity, e, variants.get(e)), np.nan)
+                        for e in NINE
+                    ]
+                    for trial in self.trials
+                ]
+            )
+            for quantity in QUANTITIES
+        }
+
+
+def _look_up(curves, key):
+    places = curves[key].itertuples(index=False, name=None)
+    return dict(zip(places, map(Orders._make, curves[ORDERS].itertuples(index=False, name=None))))
 
 
 def _present(curves, place, variants):
-    """(quantity, estimator) -> the fit of its curve at a place, for a reading's variants."""
-    keys = {(q, e): (*place, q, e, variants.get(e)) for q in BOTH for e in NINE}
+    """(quantity, estimator) -> Orders at a place, for a reading's variants."""
+    keys = {(q, e): (*place, q, e, variants.get(e)) for q in QUANTITIES for e in NINE}
     return {short: curves[key] for short, key in keys.items() if key in curves}
 
 
-def _verdict(claim, cell, variants):
+def _verdict(claim, measured, variants):
     missing = [name for name in claim.about if name not in variants]
     if missing:
-        return Verdict(None, np.nan, "not in this study: " + ", ".join(missing))
-    return claim.decide(cell)
+        words = "not in this study: " + ", ".join(missing)
+        return Verdict(Holds.UNDECIDED, np.nan, words)
+    return claim.decide(measured)
 
 
-def _row(claim, surface, diagonal, reading, decided):
-    holds = {True: "true", False: "false", None: "undecided"}[decided.holds]
-    first = {"claim": claim.number, "surface": surface, "diagonal": diagonal, "reading": reading}
-    return first | {"holds": holds, "effect": decided.effect, "evidence": decided.evidence}
+def _row(claim, surface, diagonal, reading, meshes, verdict):
+    if verdict is not None:
+        first = (claim.number, surface, diagonal, reading, meshes)
+        last = (verdict.holds.value, verdict.from_n, verdict.effect, verdict.evidence)
+        yield dict(zip(COLUMNS, first + last))

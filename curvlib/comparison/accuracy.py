@@ -36,12 +36,13 @@ def read(path) -> pd.DataFrame:
     return table
 
 
-def by_variant(tables, readings, full) -> pd.DataFrame:
+def by_variant(tables, readings, full, paper) -> pd.DataFrame:
     """variants.csv: the errors of all variants that a reading names, one row per quantity.
 
-    `tables`: one DataFrame per estimator, from `run_estimator`; `readings`: readings.csv; `full`:
-    the MeshKeys on which all variants were run, marked in the column `full`. On a surface without
-    poles, rows are equal for all choices of vertices. Errors below `rounding` are rounding.
+    `tables`: DataFrames from `error_table`; `readings`: readings.csv; `full`: the MeshKeys on which
+    every tabulated reading was run, `paper` those with the paper's resolutions and cut, marked in
+    the columns of these names. On a surface without poles, rows are equal for all choices of
+    vertices. Errors below `rounding` are rounding.
     """
     rows = concat(tables)
     everything, without_poles = VERTICES
@@ -53,9 +54,11 @@ def by_variant(tables, readings, full) -> pd.DataFrame:
     level = {
         (s, q): rounding_level(q, largest[s]) for s in largest.index for q in set(rows.quantity)
     }
-    full = set(full)
+    full, paper = set(full), set(paper)
+    keys = list(zip(rows.surface, rows.diagonal, rows.n))
     return rows.assign(
-        full=[key in full for key in zip(rows.surface, rows.diagonal, rows.n)],
+        paper=[key in paper for key in keys],
+        full=[key in full for key in keys],
         rounding=[level[key] for key in zip(rows.surface, rows.quantity)],
     ).drop(columns="largest_k")
 
@@ -79,10 +82,10 @@ def curves(rows, readings) -> pd.DataFrame:
 
     `more`: false for curves over the full meshes, true for curves over all meshes, which readings
     with `more` use. `slope` of log(error) over log(n) by least squares over all resolutions, with
-    its standard error `stderr` and its jackknife standard error `jackknife`; `tail`, `tail_stderr`:
-    slope and standard error over the finest half (at least three), up to n = `finest`. Fits leave
-    out errors below `rounding`. `verdict` is decided by `tail`. Curves of one resolution are left
-    out.
+    its standard error `stderr` and its jackknife standard error `jackknife`; `tail`: the slope over
+    the finest half of the resolutions (at least three), up to n = `finest`; `order`, `order_low`,
+    `order_high`: see `local_orders`, over the same half. Errors below `rounding` are left out.
+    `verdict` is decided by `tail`. Curves of one resolution are left out.
     """
     everywhere = rows.merge(readings.loc[readings.more, VARIANT].drop_duplicates(), on=VARIANT)
     rows = pd.concat([rows[rows.full].assign(more=False), everywhere.assign(more=True)])
@@ -101,7 +104,8 @@ def curves(rows, readings) -> pd.DataFrame:
     tail = use & (behind <= np.maximum(3, (count + 1) // 2)[:, None])
     fits = dict(zip(("slope", "stderr"), slope_fit(x, y, use)))
     fits["jackknife"] = _jackknife(x, y, use)
-    fits |= zip(("tail", "tail_stderr"), slope_fit(x, y, tail))
+    fits["tail"], _ = slope_fit(x, y, tail)
+    fits |= local_orders(x, y, tail)
     fits["monotone"] = ~rises[by_n.index].to_numpy()
     fits["verdict"] = verdicts(fits["tail"], value, use)
     exists = by_n.notna().to_numpy()
@@ -132,7 +136,8 @@ def convergence(curves, readings) -> pd.DataFrame:
 
 def ring_slopes(rings) -> pd.DataFrame:
     """rings.csv: per valence, kind of ring, quantity, estimator and variant the slope of
-    log(mean error) over log(1/h) on the smaller half of the sizes, its standard error, verdict."""
+    log(mean error) over log(1/h) on the smaller half of the sizes, its standard error, verdict, and
+    `local_orders`."""
     key = ["valence", "ring", "quantity", "estimator", "variant"]
     by_h = rings.set_index([*key, "h"]).value.unstack("h")
     by_h = by_h.iloc[:, : (len(by_h.columns) + 1) // 2]
@@ -143,15 +148,17 @@ def ring_slopes(rings) -> pd.DataFrame:
     x, y = -np.log(by_h.columns.to_numpy(float)), np.log(np.where(use, value, 1))
     slope, stderr = slope_fit(x, y, use)
     fits = {"slope": slope, "stderr": stderr, "verdict": verdicts(slope, value, use)}
+    fits |= local_orders(x[::-1], y[:, ::-1], use[:, ::-1])
     return by_h.index.to_frame(index=False).assign(**fits)
 
 
 def ranks(errors, rows) -> pd.DataFrame:
     """ranks.csv, from errors.csv and, for the rounding levels, variants.csv: 1 for the smallest
-    mean error. An error within rounding of the next smaller one shares its rank; an estimator
-    without an error has none."""
+    mean error. An error within rounding of the next smaller one shares its rank. An estimator
+    whose mean is over fewer vertices than another's has none: it may not gain by failing."""
     group = ["surface", "diagonal", "n", "reading", "quantity"]
     mean = errors[(errors.norm == "mean") & errors.value.notna()]
+    mean = mean[mean.vertices == mean.groupby(group).vertices.transform("max")]
     mean = mean.sort_values([*group, "value", "estimator"], kind="stable")
     levels = rows.groupby(["surface", "quantity"]).rounding.first()
     level = levels.reindex(pd.MultiIndex.from_frame(mean[["surface", "quantity"]])).to_numpy()
@@ -160,6 +167,29 @@ def ranks(errors, rows) -> pd.DataFrame:
     place = mean.groupby(group, sort=False).cumcount() + 1
     rank = place.where(starts).ffill().astype(int)
     return mean[[*group, "estimator", "value"]].assign(rank=rank)
+
+
+def local_orders(x, y, use) -> dict:
+    """Orders of convergence of errors exp(y) (m, r) at x (r,) = log(n) ascending, where in `use`.
+
+    `order`: that from the first to the last point, log(e_1 / e_2) / log(n_2 / n_1); `order_low` and
+    `order_high`: the least and the largest between neighbouring points. NaN for fewer than three
+    points, whose one order has no range.
+    """
+    before, first = np.full((2, 2, len(y)), np.nan)
+    low, high = np.full(len(y), np.inf), np.full(len(y), -np.inf)
+    for j, at in enumerate(use.T):
+        here = np.where(at, [np.broadcast_to(x[j], len(y)), y[:, j]], np.nan)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            p = (before[1] - here[1]) / (here[0] - before[0])
+        low, high = np.fmin(low, p), np.fmax(high, p)
+        first = np.where(np.isnan(first), here, first)
+        before = np.where(at, here, before)
+    enough = use.sum(1) > 2
+    with np.errstate(divide="ignore", invalid="ignore"):
+        order = (first[1] - before[1]) / (before[0] - first[0])
+    found = {"order": order, "order_low": low, "order_high": high}
+    return {name: np.where(enough, values, np.nan) for name, values in found.items()}
 
 
 def concat(tables) -> pd.DataFrame:

@@ -18,12 +18,14 @@ def error_rows(exact, estimates, counted):
 
     The errors are |K - K_est| and, as in the paper, | |H| - |H_est| |; `mean-signed` is the mean
     of |x - x_est|, an absolute error that a wrong sign enters. `vertices`: how many of `counted`
-    (V,) bool have both exact value and estimate; `undefined`: how many lack one. Norms over no
-    vertex are NaN.
+    (V,) bool are interior and have both exact value and estimate; `undefined`: how many are left
+    out. Boundary vertices are left out for every estimator, so that all compete on the same ones.
+    Norms over no vertex are NaN.
     """
+    counted_inside = counted & ~exact.boundary
     for name, quantity in QUANTITIES.items():
         a, b = getattr(exact, name), getattr(estimates, name)
-        defined = np.isfinite(a) & np.isfinite(b) & counted
+        defined = np.isfinite(a) & np.isfinite(b) & counted_inside
         a, b = a[defined], b[defined]
         error, values = quantity.error(a, b), np.full(len(NORMS), np.nan)
         if defined.any():
@@ -33,8 +35,9 @@ def error_rows(exact, estimates, counted):
 
 
 def counted_vertices(mesh) -> dict:
-    """The choices of vertices of a Mesh, (V,) bool each: `interior` is all (boundary vertices have
-    no estimate); `without-poles`, on meshes with a pole, leaves out poles and their one-rings."""
+    """The choices of vertices of a Mesh, (V,) bool each: `interior` is all, of which the
+    norms leave the boundary out; `without-poles`, on meshes with a pole, has neither poles nor
+    their one-rings."""
     everywhere = np.ones(len(mesh.vertices), dtype=bool)
     if not mesh.pole.any():
         return dict(zip(VERTICES, (everywhere,)))

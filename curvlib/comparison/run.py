@@ -1,6 +1,7 @@
 """One estimator on all meshes of the library: error norms and values, written to disk."""
 
 import csv
+from contextlib import ExitStack
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -16,9 +17,9 @@ COLUMNS += ("quantity", *NORMS, "vertices", "undefined")
 
 
 def run_estimator(
-    estimator: str, variants: dict, everywhere, meshes, full, values, errors, **attributes
+    estimator: str, variants: dict, meshes, chosen, errors, values=None, **attributes
 ):
-    """Run an estimator on meshes; write `values` and `errors`, both whole or neither.
+    """Run an estimator on meshes and write its errors and its values, all whole or none.
 
     Parameters
     ----------
@@ -26,40 +27,39 @@ def run_estimator(
         Name or path.
     variants : dict
         Options by key, the default's first.
-    everywhere : collection of str
-        Keys of the variants that are run on every mesh; the others are run on the full ones.
     meshes : mapping
         MeshKey -> Mesh.
-    full : collection of MeshKey
-        The meshes on which every variant is run.
-    values : path
-        HDF5, /<surface>/<diagonal>/<n>/<quantity>: the default's values on the full meshes.
+    chosen : function
+        MeshKey -> the keys of the variants to run on that mesh.
     errors : path
-        CSV of COLUMNS: the error norms of every variant and choice of vertices. Without rows it
-        has a header.
+        CSV of COLUMNS: the error norms of every run and choice of vertices. Without rows it has a
+        header.
+    values : path, optional
+        HDF5, /<surface>/<diagonal>/<n>/<quantity>: the default's values.
     **attributes
         Of the root of `values`.
     """
-    stem, default, full = Path(estimator).stem, next(iter(variants)), set(full)
+    stem, default = Path(estimator).stem, next(iter(variants))
     arrays, rows = {}, []
     for key, mesh in meshes.items():
         labels = key._asdict() | {"triangles": len(mesh.faces)}
         labels |= {"largest_k": largest_curvature(mesh), "estimator": stem}
         choices = counted_vertices(mesh)
-        for variant in variants if key in full else everywhere:
+        for variant in chosen(key):
             result = estimate(mesh, estimator, **variants[variant])
-            if variant == default and key in full:
+            if variant == default:
                 for quantity in QUANTITIES:
                     arrays["/".join(map(str, (*key, quantity)))] = getattr(result, quantity)
             for choice, counted in choices.items():
                 of_run = labels | {"variant": variant, "counted": choice}
                 rows += (of_run | row for row in error_rows(mesh, result, counted))
-    with whole_file(values) as part_of_values, whole_file(errors) as part_of_errors:
-        with write_hdf5(part_of_values) as file:
-            file.attrs.update(attributes, options=default)
-            for name, array in arrays.items():
-                file[name] = array
-        _write_csv(part_of_errors, COLUMNS, rows)
+    with ExitStack() as files:
+        if values is not None:
+            with write_hdf5(files.enter_context(whole_file(values))) as file:
+                file.attrs.update(attributes, options=default)
+                for name, array in arrays.items():
+                    file[name] = array
+        _write_csv(files.enter_context(whole_file(errors)), COLUMNS, rows)
 
 
 def write_rows(path, columns, rows) -> None:

@@ -7,7 +7,7 @@ from matplotlib.patches import Rectangle
 from .style import in_lines, in_style
 
 # These colours differ in lightness too.
-VERDICTS = {"true": "#0072B2", "undecided": "#999999", "false": "#D55E00"}
+VERDICTS = {"true": "#0072B2", "degenerate": "#E5E5E5", "undecided": "#999999", "false": "#D55E00"}
 
 
 @in_style

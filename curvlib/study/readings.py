@@ -25,7 +25,8 @@ class Readings:
     """The readings that `estimators`, `readings`, `more_readings`, `vary` and `product` define.
 
     A reading maps options to values. An estimator that has the option and the value takes it; any
-    other keeps its default.
+    other keeps its default. `paraboloid_normal` is the option `normal` of paraboloid alone, and
+    goes before `normal`; so for any estimator and option.
     """
 
     def choices(self) -> dict[str, tuple]:
@@ -43,30 +44,32 @@ class Readings:
         return Named(self.readings | self.single_changes())
 
     def products(self) -> dict[str, dict]:
-        """Name -> reading for each combination of the options in `product`."""
+        """Name -> joint reading for each combination of the options in `product`.
+
+        The first value of an option of all leaves each estimator its own default: with `uniform`
+        watanabe weighs by area, as printed.
+        """
         choices = self.choices()
         options = [option for option in self.product if option in choices]
         values = itertools.product(*(choices[option] for option in options))
         combinations = [dict(zip(options, v)) for v in values] if options else []
-        return Named({name_of(choice): choice for choice in combinations})
-
-    def named_products(self) -> dict[str, str]:
-        """Product -> named reading that gives every estimator of the study the same options."""
-        effects = {product: self._effect(choice) for product, choice in self.products().items()}
-        return {
-            product: name
-            for name, reading in self.readings.items()
-            for product, effect in effects.items()
-            if effect == self._effect(reading)
-        }
+        of_one = {own(stem_of(e), o) for e in self.estimators for o in estimator_options(e)}
+        return Named(
+            {
+                name_of(choice): {
+                    o: v for o, v in choice.items() if o in of_one or v != choices[o][0]
+                }
+                for choice in combinations
+            }
+        )
 
     def options(self, estimator: str, reading: dict) -> dict:
         """All options of an estimator in a reading: what it knows of that, else its defaults."""
-        known = estimator_options(estimator)
-        return {
-            option: reading[option] if reading.get(option) in values else values[0]
-            for option, values in known.items()
-        }
+        stem, chosen = stem_of(estimator), {}
+        for option, values in estimator_options(estimator).items():
+            value = reading.get(own(stem, option), reading.get(option))
+            chosen[option] = value if value in values else values[0]
+        return chosen
 
     def variants(self, estimator: str) -> dict[str, dict]:
         """Key -> options, distinct over all readings, the default first; each is run once."""
@@ -74,15 +77,11 @@ class Readings:
         chosen = (self.options(estimator, reading) for reading in every)
         return Named({variant(options): options for options in chosen})
 
-    def more_variants(self, estimator: str) -> list[str]:
-        """Keys of the variants that are run on every mesh."""
-        chosen = (self.options(estimator, self.readings[name]) for name in self.more_readings)
-        return list(dict.fromkeys(map(variant, chosen)))
-
     def rows(self) -> "Rows":
         """readings.csv: reading, kind, estimator (its stem), variant, counted, more.
 
-        `kind`: `named` in the config, a `single` change, or a `product`, for claims only.
+        `kind`: `named` in the config, a `single` change, or a `product`, which is run on the
+        paper's meshes alone and in the search for an explanation alone.
         """
         kinds = dict.fromkeys(self.products(), "product")
         kinds |= dict.fromkeys(self.single_changes(), "single")
@@ -117,6 +116,13 @@ class Readings:
         return options, reading.get("vertices", VERTICES[0])
 
 
+def tabulated(readings, estimator: str) -> tuple[list, list]:
+    """From readings.csv, the variants of an estimator (its stem) that are run on all full meshes,
+    and those that are run on every mesh."""
+    mine = readings[(readings.estimator == estimator) & (readings.kind != "product")]
+    return list(mine.variant.unique()), list(mine.variant[mine.more].unique())
+
+
 class _Brief:
     """Shown as length and digest: parameters of jobs are printed in the report."""
 
@@ -147,12 +153,19 @@ def error_figures(study, quantity: str) -> dict[str, tuple]:
 
 
 def choices_of(names) -> dict[str, tuple]:
-    """Every option of the estimators, and `vertices`: its values, defaults first."""
-    found = {}
+    """Every option of the estimators, of all and of one, and `vertices`: its values, defaults
+    first."""
+    found, of_one = {}, {}
     for name in names:
         for option, values in estimator_options(name).items():
             found[option] = tuple(dict.fromkeys((*found.get(option, ()), *values)))
-    return found | {"vertices": VERTICES}
+            of_one[own(stem_of(name), option)] = values
+    return found | of_one | {"vertices": VERTICES}
+
+
+def own(estimator: str, option: str) -> str:
+    """The name of an estimator's own option in a reading: `paraboloid_normal`."""
+    return f"{estimator}_{option}"
 
 
 def name_of(choice: dict) -> str:

@@ -1,16 +1,19 @@
-# In: the tables by variant, and what a reading is. Out: the paper's claims, decided for every surface,
-# diagonal and reading, products of readings included; their summary; the answer for the README.
+# In: the tables by variant, what a reading is, what explains the paper. Out: the paper's claims, decided
+# for every surface, diagonal and reading, on the paper's meshes and on others; their summary; the answer
+# for the README.
 
 
 rule claims:
     input:
-        readings=rules.accuracy.output.readings,
+        readings=rules.explanations.output.readings,
         variants=rules.accuracy.output.variants,
         curves=rules.accuracy.output.curves,
         noise=rules.accuracy.output.noise,
         rings=rules.accuracy.output.rings,
+        explanations=rules.explanations.output.explanations,
     output:
         claims=study.results / "tables/claims.csv",
+        agreement=study.results / "tables/agreement.csv",
         summary=tabled("claims-summary"),
         answer=study.results / "tables/answer.md",
         words=study.results / "tables/answer-in-words.md",

@@ -61,7 +61,8 @@ FULL = Rows(
     for surface in SURFACES
     for diagonal, n, full in study.meshes()
     if full
-)
+)  # Those with the paper's resolutions and cut, the first one.
+PAPER = Rows(mesh for mesh in FULL if mesh.diagonal == study.diagonals[0])
 
 # The library is an archive, from which the study is then made.
 ARCHIVED = study.library.suffix == ".zip"

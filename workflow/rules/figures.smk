@@ -1,9 +1,6 @@
 # In: the tables. Out: mean absolute error against triangles for all surfaces, with the paper's
 # Figures 3 to 6 among them, SVG and PNG; and what pictures.smk draws.
-from curvlib.claims.sentences import CLAIMS
-
 CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in PAPER_FIGURES)]
-READING_FIGURES = [f"readings-claim-{number}" for number in CLAIMS]
 ERROR_FIGURES = [figure for quantity in PAPER_FIGURES for figure in error_figures(study, quantity)]
 
 
@@ -11,7 +8,7 @@ rule figures:
     input:
         expand(
             FIGURES / "{figure}.{kind}",
-            figure=[*ERROR_FIGURES, *CLAIM_FIGURES, *READING_FIGURES],
+            figure=[*ERROR_FIGURES, *CLAIM_FIGURES],
             kind=["svg", "png"],
         ),
         rules.pictures.output,
@@ -67,23 +64,3 @@ rule claim_plots:
         code=code("claim_plots", *MODULES),
     script:
         "../scripts/claim_plots.py"
-
-
-rule reading_plots:
-    input:
-        claims=rules.claims.output.claims,
-        summary=rules.claims.output.summary,
-    output:
-        drawn(READING_FIGURES, HOLDS),
-    log:
-        study.results / "logs/reading_plots.log",
-    conda:
-        "../envs/curvlib.yaml"
-    params:
-        readings=study.products() or study.all_readings(),
-        marked=study.named_products(),
-        folder=FIGURES,
-        surfaces=list(SURFACES),
-        code=code("reading_plots"),
-    script:
-        "../scripts/reading_plots.py"

@@ -4,14 +4,12 @@
 from curvlib.claims.cell import NINE, SEVEN
 
 ARTICLE = Path(workflow.basedir, "paper/paper.typ")
-CAPTIONS = {
-    figure: caption(figure)
-    for figure in [*PICTURES, *ERROR_FIGURES, *CLAIM_FIGURES, *READING_FIGURES]
-}
+CAPTIONS = {figure: caption(figure) for figure in [*PICTURES, *ERROR_FIGURES, *CLAIM_FIGURES]}
 
 
 rule paper:
     input:
+        rules.explanations.output,
         rules.accuracy.output,
         rules.claims.output,
         rules.figures.input,

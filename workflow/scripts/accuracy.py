@@ -7,13 +7,13 @@ from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     inputs, params, output = snakemake.input, snakemake.params, snakemake.output
-    readings = pd.DataFrame(params.readings)
-    rows = accuracy.by_variant(map(accuracy.read, inputs.errors), readings, params.full)
+    readings = pd.read_csv(inputs.readings)
+    tables = map(accuracy.read, inputs.errors)
+    rows = accuracy.by_variant(tables, readings, params.full, params.paper)
     curves = accuracy.curves(rows, readings)
     tabulated = readings[readings.kind != "product"]
     errors = accuracy.errors(rows, tabulated)
     tables = {
-        "readings": readings,
         "variants": rows,
         "curves": curves,
         "errors": errors,

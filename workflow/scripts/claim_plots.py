@@ -18,7 +18,7 @@ with logged(snakemake.log[0]):
     rings = concat(map(pd.read_csv, inputs.rings))
     modules = estimators.modules(params.estimators) | surfaces.modules(params.surfaces)
     shown = chosen(params.surfaces)
-    drawn = {"claims": claims_map(verdicts(claims, params.diagonal)[shown], summary, modules)}
+    drawn = {"claims": claims_map(verdicts(claims), summary, shown, modules)}
     for quantity in params.quantities:
         drawn[f"ranks-{quantity}"] = rank_plot(ranks, quantity, shown, modules, params.n)
         drawn[f"rings-{quantity}"] = rings_plot(rings, slopes, params.rings, quantity)

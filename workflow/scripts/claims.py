@@ -4,16 +4,20 @@ from pathlib import Path
 
 import pandas as pd
 
+from curvlib.claims.answer import answer, in_words
 from curvlib.claims.evidence import decide
-from curvlib.claims.summary import answer, in_words, summary
+from curvlib.claims.summary import agreement, summary
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     output = snakemake.output
     tables = {name: pd.read_csv(file) for name, file in snakemake.input.items()}
+    explanations = tables.pop("explanations")
     claims = decide(**tables)
     claims.to_csv(output.claims, index=False)
+    agreement(tables["readings"], tables["variants"]).to_csv(output.agreement, index=False)
     table = summary(claims, tables["readings"])
     table.to_csv(output.summary, index=False)
-    Path(output.answer).write_text(answer(table), encoding="utf-8")
+    words = answer(table, explanations, tables["variants"].n.max())
+    Path(output.answer).write_text(words, encoding="utf-8")
     Path(output.words).write_text(in_words(table), encoding="utf-8")

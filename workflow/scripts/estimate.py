@@ -1,4 +1,4 @@
-"""Run one estimator, in all its variants, on every mesh of the library."""
+"""Run one estimator, in all its variants, on the paper's meshes."""
 
 from curvlib.comparison.run import run_estimator
 from curvlib.dataset.library import load_library
@@ -9,10 +9,9 @@ with logged(snakemake.log[0]):
     run_estimator(
         params.estimator,
         params.variants,
-        params.everywhere,
         load_library(*snakemake.input.library).only(params.meshes),
-        params.full,
-        output.values,
+        lambda key: params.variants,
         output.errors,
+        output.values,
         code=params.code,
     )

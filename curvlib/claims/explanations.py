@@ -1,0 +1,130 @@
+"""What explains 2003: the joint reading under which most of the paper's ranking comes back."""
+
+import pandas as pd
+
+from .cell import SEVEN, Holds
+from .evidence import Evidence
+
+BEST = "best-explanation"
+
+# The paper's ranking, by n: best for K, best for H, second for K. What it concludes from them
+# (claims 3, 10, 11) would count them twice.
+RANKING = (1, 2, 6)
+FINE = 24  # "at fine meshes": from this n on
+
+# How many decisions of the printed text a value departs from; the values not named, none.
+DEPARTURES = {
+    # (3.3), the plain mean
+    "normal": {"area": 1, "exact": 1},
+    # "the angle is close to pi"
+    "pairs": {"above-90": 1, "all": 1},
+    # (3.12) has A/2, (3.13) has A/3
+    "area": {"third": 1, "mixed": 2},
+    # (3.13), angle(N_i, N_i+1) times |e_i|
+    "dihedral": {"signed": 1, "unsigned": 1},
+}
+
+
+def explain(readings, variants, curves) -> pd.DataFrame:
+    """explanations.csv: a row per joint reading and claim, on the paper's meshes.
+
+    Parameters
+    ----------
+    readings, variants, curves : DataFrame
+        The tables of these names. Searched are the readings of the kind `product`.
+
+    Returns
+    -------
+    DataFrame
+        A column per option; `claim`; on how many surfaces the claim holds `at_finest`, `from_24`
+        (at every n >= 24) and `always`, on how many it is `degenerate`, `of` how many in all;
+        `departures` of the reading from the printed text; its `score`: the sum of `at_finest`,
+        `from_24` and `always` over the claims of RANKING, less its departures.
+    """
+    evidence = Evidence(variants[variants.paper & variants.surface.isin(SEVEN)], curves)
+    joint = readings[readings.kind == "product"]
+    found = []
+    for name, reading in joint.groupby("reading", sort=False):
+        options = dict(choice.split("=") for choice in name.split(","))
+        rows = pd.DataFrame(evidence.rows(reading))
+        counts = [_counts(number, of_claim) for number, of_claim in rows.groupby("claim")]
+        ranking = [row for row in counts if row["claim"] in RANKING]
+        score = sum(row[level] for row in ranking for level in LEVELS) - departures(options)
+        about = {"departures": departures(options), "score": score}
+        found += [options | row | about for row in counts]
+    return pd.DataFrame(found, columns=None if found else ["claim", *LEVELS, "score"])
+
+
+LEVELS = ("at_finest", "from_24", "always")
+
+
+def _counts(number, rows):
+    levels = (
+        rows.from_n.notna().sum(),
+        (rows.from_n <= FINE).sum(),
+        (rows.holds == Holds.TRUE.value).sum(),
+    )
+    degenerate = (rows.holds == Holds.DEGENERATE.value).sum()
+    counts = dict(zip((*LEVELS, "degenerate", "of"), map(int, (*levels, degenerate, len(rows)))))
+    return {"claim": number} | counts
+
+
+def departures(options: dict) -> int:
+    """How many decisions of the printed text a joint reading departs from.
+
+    A normal of paraboloid's own is one more, so that the freedom is not free.
+    """
+    found = sum(DEPARTURES.get(option, {}).get(value, 0) for option, value in options.items())
+    return found + (
+        options.get("paraboloid_normal", options.get("normal")) != options.get("normal")
+    )
+
+
+def best(explanations, price=1) -> dict:
+    """The options of the joint reading with the largest score; the first of equals; {} for none.
+
+    `price` of a departure; the score is at a price of 1.
+    """
+    ranking = explanations[explanations.claim.isin(RANKING)]
+    if ranking.empty or not ranking[list(LEVELS)].to_numpy().any():
+        return {}
+    score = ranking.score + (1 - price) * ranking.departures
+    options = explanations.columns[: explanations.columns.get_loc("claim")]
+    return ranking.loc[score.idxmax(), options].to_dict()
+
+
+def with_best(readings, explanations) -> pd.DataFrame:
+    """readings.csv with the rows of the named reading `best-explanation`, if there is one."""
+    options = best(explanations)
+    name = ",".join(f"{option}={value}" for option, value in options.items())
+    winner = readings[(readings.reading == name) & (readings.kind == "product")]
+    winner = winner.assign(reading=BEST, kind="named", more=True)
+    named = readings.kind == "named"
+    return pd.concat([readings[named], winner, readings[~named]], ignore_index=True)
+
+
+MARGINALS = ("option", "value", "claim", "mean", "most", "mean_from_24", "most_from_24")
+
+
+def marginals(explanations) -> pd.DataFrame:
+    """marginals.csv: per value of an option, or pair of values of `pairs` and `dihedral`, and claim,
+    over the joint readings with that value: the mean and the largest number of surfaces on which
+    the claim holds at the finest n (`mean`, `most`), and from n = 24 on (`mean_from_24`,
+    `most_from_24`)."""
+    options = list(explanations.columns[: explanations.columns.get_loc("claim")])
+    crossed = [["pairs", "dihedral"]] if {"pairs", "dihedral"} <= set(options) else []
+    found = []
+    for by in [[option] for option in options] + crossed:
+        groups = explanations.groupby([*by, "claim"], sort=False)
+        table = groups.agg(
+            mean=("at_finest", "mean"),
+            most=("at_finest", "max"),
+            mean_from_24=("from_24", "mean"),
+            most_from_24=("from_24", "max"),
+        ).reset_index()
+        values = table[by].agg(" x ".join, axis=1)
+        table = table.drop(columns=by)
+        table.insert(0, "option", " x ".join(by))
+        table.insert(1, "value", values)
+        found.append(table)
+    return pd.concat(found, ignore_index=True) if found else pd.DataFrame(columns=MARGINALS)
