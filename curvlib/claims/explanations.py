@@ -107,9 +107,9 @@ MARGINALS = ("option", "value", "claim", "mean", "most", "mean_from_24", "most_f
 
 
 def marginals(explanations) -> pd.DataFrame:
-    """marginals.csv: per value of an option, or pair of values of `pairs` and `dihedral`, and claim,
-    over the joint readings with that value: the mean and the largest number of surfaces on which
-    the claim holds at the finest n (`mean`, `most`), and from n = 24 on (`mean_from_24`,
+    """marginals.csv: per value of an option, or two of `pairs` and `dihedral`, and per claim, over
+    the joint readings with that value: the mean and the largest number of surfaces on which the
+    claim holds at the finest n (`mean`, `most`), and from n = 24 on (`mean_from_24`,
     `most_from_24`)."""
     options = list(explanations.columns[: explanations.columns.get_loc("claim")])
     crossed = [["pairs", "dihedral"]] if {"pairs", "dihedral"} <= set(options) else []

@@ -23,9 +23,9 @@ def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:
     number of the paper's surfaces, 1 for a claim about them together. `<reading>_true`,
     `_degenerate`, `_undecided`, `_false`: the surfaces with that verdict on the paper's meshes, in
     each named reading; `<reading>_from_24`: those on which it holds at every n >= 24;
-    `<reading>_stands`: true on most of those that are not degenerate. `<reading>_refined_true` etc.:
-    the same up to the finest meshes of the paper's cut; `default_cuts_true` etc.: in the worst of
-    the other cuts. `turned_over_by`: the single changes of the default reading that change
+    `<reading>_stands`: true on most of those that are not degenerate. `<reading>_refined_true`
+    etc.: the same up to the finest meshes of the paper's cut; `default_cuts_true` etc.: the worst
+    over the other cuts. `turned_over_by`: the single changes of the default reading that change
     `default_stands`; `turned_over_on`: the cuts that do.
     """
     kind = readings.drop_duplicates("reading").set_index("reading").kind
