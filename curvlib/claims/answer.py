@@ -82,7 +82,7 @@ def finding(rows, explanations) -> str:
 
 
 def _best_on(row, column):
-    """`the best at the finest resolution on 5 of 5 surfaces and at every resolution on 2`."""
+    """`the best at the finest resolution on 5 of 5 surfaces and at every one on 2`."""
     true, degenerate, undecided = (
         int(row[f"{column}_{holds}"]) for holds in ("true", "degenerate", "undecided")
     )
@@ -90,7 +90,7 @@ def _best_on(row, column):
     if not finest:
         return f"the best at the finest resolution on none of {of} surfaces"
     words = f"the best at the finest resolution on {finest} of {of} surfaces"
-    words += f" and at every resolution on {true or 'none'}"
+    words += f" and at every one on {true or 'none'}"
     if degenerate:
         words += f" (on the other {degenerate}, K = 0 and the best two have no error)"
     return words

@@ -39,7 +39,7 @@ def read(path) -> pd.DataFrame:
 def by_variant(tables, readings, full, paper) -> pd.DataFrame:
     """variants.csv: the errors of all variants that a reading names, one row per quantity.
 
-    `tables`: DataFrames from `error_table`; `readings`: readings.csv; `full`: the MeshKeys on which
+    `tables`: rows of `run_estimator`; `readings`: readings.csv; `full`: the MeshKeys on which
     every tabulated reading was run, `paper` those with the paper's resolutions and cut, marked in
     the columns of these names. On a surface without poles, rows are equal for all choices of
     vertices. Errors below `rounding` are rounding.
@@ -193,9 +193,11 @@ def local_orders(x, y, use) -> dict:
 
 
 def concat(tables) -> pd.DataFrame:
-    """Concatenate tables; those without rows are left out, since they lack column types."""
+    """Concatenate tables; a row that two have counts once. Those without rows are left out, since
+    they lack column types."""
     tables = list(tables)
-    return pd.concat([t for t in tables if len(t)] or tables[:1], ignore_index=True)
+    found = pd.concat([t for t in tables if len(t)] or tables[:1], ignore_index=True)
+    return found.drop_duplicates(ignore_index=True)
 
 
 def _jackknife(x, y, use):

@@ -1,7 +1,6 @@
 """One estimator on all meshes of the library: error norms and values, written to disk."""
 
 import csv
-from contextlib import ExitStack
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -16,50 +15,57 @@ COLUMNS = (*MeshKey._fields, "triangles", "largest_k", "estimator", "variant", "
 COLUMNS += ("quantity", *NORMS, "vertices", "undefined")
 
 
-def run_estimator(
-    estimator: str, variants: dict, meshes, chosen, errors, values=None, **attributes
-):
-    """Run an estimator on meshes and write its errors and its values, all whole or none.
+def run_estimator(estimator: str, variants: dict, meshes, chosen, keep=None):
+    """Run an estimator on meshes and yield rows of COLUMNS: the error norms of every run, in every
+    choice of vertices.
 
     Parameters
     ----------
     estimator : str
         Name or path.
     variants : dict
-        Options by key, the default's first.
+        Options by key.
     meshes : mapping
         MeshKey -> Mesh.
     chosen : function
         MeshKey -> the keys of the variants to run on that mesh.
-    errors : path
-        CSV of COLUMNS: the error norms of every run and choice of vertices. Without rows it has a
-        header.
-    values : path, optional
-        HDF5, /<surface>/<diagonal>/<n>/<quantity>: the default's values.
-    **attributes
-        Of the root of `values`.
+    keep : function, optional
+        Called with MeshKey, variant and Estimates after each run.
     """
-    stem, default = Path(estimator).stem, next(iter(variants))
-    arrays, rows = {}, []
     for key, mesh in meshes.items():
         labels = key._asdict() | {"triangles": len(mesh.faces)}
-        labels |= {"largest_k": largest_curvature(mesh), "estimator": stem}
+        labels |= {"largest_k": largest_curvature(mesh), "estimator": Path(estimator).stem}
         choices = counted_vertices(mesh)
         for variant in chosen(key):
             result = estimate(mesh, estimator, **variants[variant])
-            if variant == default:
-                for quantity in QUANTITIES:
-                    arrays["/".join(map(str, (*key, quantity)))] = getattr(result, quantity)
+            if keep:
+                keep(key, variant, result)
             for choice, counted in choices.items():
                 of_run = labels | {"variant": variant, "counted": choice}
-                rows += (of_run | row for row in error_rows(mesh, result, counted))
-    with ExitStack() as files:
-        if values is not None:
-            with write_hdf5(files.enter_context(whole_file(values))) as file:
-                file.attrs.update(attributes, options=default)
-                for name, array in arrays.items():
-                    file[name] = array
-        _write_csv(files.enter_context(whole_file(errors)), COLUMNS, rows)
+                for row in error_rows(mesh, result, counted):
+                    yield of_run | row
+
+
+def run_and_keep(estimator: str, variants: dict, meshes, errors, values, **attributes) -> None:
+    """Run an estimator in all variants; write `errors` and `values`, both whole or neither.
+
+    `errors`: CSV of COLUMNS; without rows it has a header. `values`: HDF5 with `attributes` of its
+    root, /<surface>/<diagonal>/<n>/<quantity>: the values of the first variant, the default.
+    """
+    default, arrays = next(iter(variants)), {}
+
+    def keep(key, variant, result):
+        if variant == default:
+            for quantity in QUANTITIES:
+                arrays["/".join(map(str, (*key, quantity)))] = getattr(result, quantity)
+
+    rows = list(run_estimator(estimator, variants, meshes, lambda key: variants, keep))
+    with whole_file(values) as part_of_values, whole_file(errors) as part_of_errors:
+        with write_hdf5(part_of_values) as file:
+            file.attrs.update(attributes, options=default)
+            for name, array in arrays.items():
+                file[name] = array
+        _write_csv(part_of_errors, COLUMNS, rows)
 
 
 def write_rows(path, columns, rows) -> None:
@@ -76,7 +82,7 @@ def _write_csv(path, columns, rows):
 
 
 def read_values(path, only=None) -> dict:
-    """MeshKey -> the values of `run_estimator` by quantity; for the keys `only`, or for all."""
+    """MeshKey -> the values of `run_and_keep` by quantity; for the keys `only`, or for all."""
     with open_hdf5(path) as file:
         keys = only or [MeshKey(s, d, int(n)) for s in file for d in file[s] for n in file[s][d]]
         groups = {key: file["/".join(map(str, key))] for key in keys}

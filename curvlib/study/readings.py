@@ -77,6 +77,12 @@ class Readings:
         chosen = (self.options(estimator, reading) for reading in every)
         return Named({variant(options): options for options in chosen})
 
+    def tabulated(self, estimator: str, readings=None) -> list[str]:
+        """Keys of the variants of `readings` (names), or of all that are not products."""
+        of_all = self.all_readings()
+        chosen = (self.options(estimator, of_all[name]) for name in readings or of_all)
+        return list(dict.fromkeys(map(variant, chosen)))
+
     def rows(self) -> "Rows":
         """readings.csv: reading, kind, estimator (its stem), variant, counted, more.
 
@@ -114,13 +120,6 @@ class Readings:
         """The effect of a reading: every estimator's options, and the vertices counted."""
         options = {name: self.options(name, reading) for name in self.estimators}
         return options, reading.get("vertices", VERTICES[0])
-
-
-def tabulated(readings, estimator: str) -> tuple[list, list]:
-    """From readings.csv, the variants of an estimator (its stem) that are run on all full meshes,
-    and those that are run on every mesh."""
-    mine = readings[(readings.estimator == estimator) & (readings.kind != "product")]
-    return list(mine.variant.unique()), list(mine.variant[mine.more].unique())
 
 
 class _Brief:

@@ -27,7 +27,7 @@ def run_rows(values, n=(8, 16, 32), **labels):
 def curve(values, n=(8, 16, 32)):
     """The row of curves.csv of one curve."""
     full = [MeshKey("s", "same", m) for m in n]
-    rows = accuracy.by_variant([run_rows(values, n)], READINGS, full)
+    rows = accuracy.by_variant([run_rows(values, n)], READINGS, full, full)
     (row,) = accuracy.curves(rows, READINGS).itertuples()
     return row
 
@@ -35,6 +35,7 @@ def curve(values, n=(8, 16, 32)):
 def test_error_norms():
     nan = np.nan
     exact = SimpleNamespace(K=np.array([1.0, 2, nan, 4, 5]), H=np.array([1.0, -1, nan, 2, 2]))
+    exact.boundary = np.zeros(5, bool)
     estimate = SimpleNamespace(K=np.array([1.5, 2, 3, nan, 3]), H=np.array([-1.0, -2, 1, nan, 3]))
     rows = pd.DataFrame(error_rows(exact, estimate, np.ones(5, bool)))
     value = rows.set_index("quantity")
@@ -49,10 +50,16 @@ def test_error_norms():
     some = pd.DataFrame(error_rows(exact, estimate, np.array([1, 0, 1, 0, 0], bool)))
     assert some.set_index("quantity")["mean"]["K"] == 0.5
     assert set(some.vertices) == set(some.undefined) == {1}
+    # An estimator that has a value at the boundary is not measured there.
+    exact.boundary[4] = True
+    inside = pd.DataFrame(error_rows(exact, estimate, np.ones(5, bool)))
+    assert inside.set_index("quantity")["mean"]["K"] == 0.25
+    assert set(inside.vertices) == {2}
+    assert set(inside.undefined) == {3}
 
 
 def test_a_quantity_without_a_value_counts_its_vertices_as_undefined():
-    exact = SimpleNamespace(K=np.ones(3), H=np.ones(3))
+    exact = SimpleNamespace(K=np.ones(3), H=np.ones(3), boundary=np.zeros(3, bool))
     estimate = SimpleNamespace(K=np.ones(3), H=np.full(3, np.nan))
     H = pd.DataFrame(error_rows(exact, estimate, np.array([1, 1, 0], bool))).iloc[1]
     assert (H.quantity, H.vertices, H.undefined) == ("H", 0, 2)
@@ -107,6 +114,22 @@ def test_standard_error_and_jackknife_are_those_of_the_textbook():
     assert row.jackknife == pytest.approx(spread)
 
 
+def test_local_orders_and_their_range():
+    """log(e1 / e2) / log(n2 / n1) by hand over the finest half; two points have no range."""
+    row = curve([9, 9, 9, 8, 2, 1], (8, 16, 32, 64, 128, 256))
+    assert (row.order, row.order_low, row.order_high) == pytest.approx((1.5, 1, 2))
+    odd = curve([3, 2, 0.5], (12, 24, 50))
+    local = np.log(3 / 2) / np.log(2), np.log(4) / np.log(50 / 24)
+    assert (odd.order_low, odd.order_high) == pytest.approx(local)
+    assert odd.order == pytest.approx(np.log(6) / np.log(50 / 12))
+    for values in ([2, 1], [np.nan, 2, 1], [1e-15, 2, 1], [1e-15, 1e-12, 1e-15]):
+        few = curve(values, (8, 16, 32)[: len(values)])
+        assert np.isnan([few.order, few.order_low, few.order_high]).all()
+    # What is at rounding between two points is left out.
+    gap = curve([1e-15, 4, 1e-15, 1, 0.5], (8, 16, 32, 64, 128))
+    assert (gap.order_low, gap.order_high) == pytest.approx((1, 1))
+
+
 def test_a_slope_that_is_not_defined_is_no_divergence():
     values = np.array([[np.nan, np.nan], [4.0, 1.0], [1.0, 4.0], [np.nan, 4.0]])
     slopes = np.array([np.nan, -2.0, 2.0, np.nan])
@@ -151,9 +174,26 @@ def test_ties_at_rounding_level_share_a_rank():
     readings = pd.concat(READINGS.assign(estimator=e) for e in values)
     full = [MeshKey("s", "same", 8)]
     tables = (run_rows([x], (8,), estimator=e) for e, x in values.items())
-    rows = accuracy.by_variant(tables, readings, full)
+    rows = accuracy.by_variant(tables, readings, full, full)
     ranks = accuracy.ranks(accuracy.errors(rows, readings), rows).set_index("estimator")["rank"]
     assert ranks.to_dict() == {"a": 1, "b": 1, "c": 3, "d": 3, "e": 5}
+
+
+def test_an_estimator_that_leaves_vertices_out_has_no_rank():
+    tables = [
+        run_rows([x], (8,), estimator=e, vertices=v)
+        for e, x, v in (("a", 3, 9), ("b", 2, 9), ("c", 1, 8))
+    ]
+    readings = pd.concat(READINGS.assign(estimator=e) for e in "abc")
+    full = [MeshKey("s", "same", 8)]
+    rows = accuracy.by_variant(tables, readings, full, full)
+    ranks = accuracy.ranks(accuracy.errors(rows, readings), rows).set_index("estimator")["rank"]
+    assert ranks.to_dict() == {"b": 1, "a": 2}
+
+
+def test_a_row_in_two_tables_counts_once():
+    one = run_rows([4, 2, 1])
+    assert len(accuracy.concat([one, one.iloc[:2]])) == 3
 
 
 def test_readings_share_variants():
@@ -176,9 +216,9 @@ def test_readings_share_variants():
             )
         ]
     )
-    rows = accuracy.by_variant(
-        tables, readings, [MeshKey("s", "same", 8), MeshKey("s", "same", 16)]
-    )
+    full = [MeshKey("s", "same", 8), MeshKey("s", "same", 16)]
+    rows = accuracy.by_variant(tables, readings, full, full[:1])
+    assert rows.paper.tolist() == (rows.n == 8).tolist()
     table = accuracy.errors(rows, readings)
     assert list(table.norm[:4]) == sorted(NORMS)
     value = table[table.norm == "mean"].set_index(["reading", "estimator", "n"]).value.sort_index()

@@ -9,7 +9,7 @@ import curvlib
 from curvlib.comparison import accuracy
 from curvlib.comparison.norms import rounding_level
 from curvlib.comparison.quantities import QUANTITIES, Quantity, absolute, difference
-from curvlib.comparison.run import read_values, run_estimator
+from curvlib.comparison.run import read_values, run_and_keep
 from curvlib.comparison.trials import noise_rows
 from curvlib.figures.curves import error_plot
 from curvlib.figures.rings import rings_plot
@@ -31,14 +31,14 @@ def test_a_third_quantity_is_one_row(k1, tmp_path):
     sphere = curvlib.surface("sphere")
     meshes = {MeshKey("sphere", "same", n): curvlib.tessellate(sphere, n) for n in (8, 12, 16)}
     values, errors = tmp_path / "taubin.h5", tmp_path / "taubin.csv"
-    run_estimator("taubin", {"-": {}}, ["-"], meshes, list(meshes), values, errors)
+    run_and_keep("taubin", {"-": {}}, meshes, errors, values)
     key = next(iter(meshes))
     mesh, estimates = meshes[key], read_values(values)[key]
     error = abs(mesh.k1 - estimates.k1)[~mesh.boundary]
 
     readings = {"reading": "default", "estimator": "taubin", "variant": "-", "more": False}
     readings = pd.DataFrame([readings | {"counted": "interior"}])
-    rows = accuracy.by_variant([pd.read_csv(errors)], readings, list(meshes))
+    rows = accuracy.by_variant([pd.read_csv(errors)], readings, list(meshes), [])
     table = accuracy.errors(rows, readings)
     assert set(table.quantity) == {"K", "H", "k1"}
     (of_coarsest,) = table.value[(table.quantity == "k1") & (table.norm == "mean") & (table.n == 8)]

@@ -10,7 +10,13 @@ from curvlib.comparison import accuracy
 from curvlib.comparison import run as run_module
 from curvlib.comparison.norms import NORMS
 from curvlib.comparison.quantities import QUANTITIES
-from curvlib.comparison.run import COLUMNS, read_values, run_estimator, write_rows
+from curvlib.comparison.run import (
+    COLUMNS,
+    read_values,
+    run_and_keep,
+    run_estimator,
+    write_rows,
+)
 from curvlib.meshes.key import MeshKey
 
 NAMES = ("sphere", "teapot_spout")
@@ -27,17 +33,16 @@ def meshes():
 
 
 def run(meshes, folder, estimator="watanabe_b", variants=VARIANTS):
-    """An estimator in its variants, all of them on n = 8 alone: the paths of values and errors."""
-    paths = folder / "e.h5", folder / "e.csv"
-    full = [key for key in meshes if key.n == 8]
-    run_estimator(estimator, variants, list(variants)[:1], meshes, full, *paths, code="x")
-    return paths
+    """An estimator in its variants: the paths of values and errors."""
+    values, errors = folder / "e.h5", folder / "e.csv"
+    run_and_keep(estimator, variants, meshes, errors, values, code="x")
+    return values, errors
 
 
 def test_estimates_come_back(meshes, tmp_path):
     values, errors = run(meshes, tmp_path)
     found = read_values(values)
-    assert list(found) == [(name, "same", 8) for name in NAMES]
+    assert set(found) == set(meshes)
     for key, estimates in found.items():
         again = curvlib.estimate(meshes[key], "watanabe_b")
         for quantity in QUANTITIES:
@@ -46,10 +51,19 @@ def test_estimates_come_back(meshes, tmp_path):
         assert dict(file.attrs) == {"code": "x", "options": "normal=uniform"}
     errors = pd.read_csv(errors)
     assert tuple(errors.columns) == COLUMNS
-    assert set(errors.variant[errors.n == 8]) == set(VARIANTS)
-    assert set(errors.variant[errors.n == 12]) == {"normal=uniform"}
+    assert set(errors.variant) == set(VARIANTS)
     assert set(errors.counted[errors.surface == "sphere"]) == {"interior", "without-poles"}
     assert set(errors.counted[errors.surface == "teapot_spout"]) == {"interior"}
+
+
+def test_a_mesh_is_run_in_the_variants_chosen_for_it(meshes):
+    def chosen(key):
+        return VARIANTS if key.n == 8 else ["normal=area"]
+
+    rows = pd.DataFrame(run_estimator("watanabe_b", VARIANTS, meshes, chosen))
+    assert set(rows.variant[rows.n == 8]) == set(VARIANTS)
+    assert set(rows.variant[rows.n == 12]) == {"normal=area"}
+    assert set(rows.columns) == set(COLUMNS)
 
 
 def test_an_estimator_without_a_value_has_rows_that_count_what_is_undefined(meshes, tmp_path):

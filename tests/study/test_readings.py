@@ -2,38 +2,45 @@
 
 import pytest
 
+from curvlib.errors import InputError
 from curvlib.study.config import Study
 from curvlib.study.readings import error_figures
 
 
 def test_readings_of_more_meshes(config):
     study = Study(config)
-    assert study.more_variants("gauss_bonnet") == [
+    assert study.tabulated("gauss_bonnet", study.more_readings) == [
         "area=third,dihedral=signed",
         "area=half,dihedral=signed",
     ]
-    assert study.more_variants("watanabe_b") == ["normal=uniform"]
+    assert study.tabulated("watanabe_b", study.more_readings) == ["normal=uniform"]
+    # Those of products alone are not tabulated.
+    assert len(study.tabulated("gauss_bonnet")) == 3
+    assert len(study.variants("gauss_bonnet")) == 9
 
 
-def test_products_that_have_a_name(config):
-    named = {"area=third,dihedral=signed": "default", "area=half,dihedral=signed": "half"}
-    assert Study(config).named_products() == named
-    other = {"readings": config["readings"] | {"principal": {"principal": "as-printed"}}}
-    taubin = {"estimators": [*config["estimators"], "taubin"]}
-    assert Study(config | other | taubin).named_products() == named
-    assert Study(config | {"product": []}).named_products() == {}
+def test_an_option_of_one_estimator_goes_before_that_of_all(config):
+    product = {"product": ["normal", "watanabe_b_normal"]}
+    study = Study(config | product)
+    products = study.products()
+    assert len(products) == 9
+    chosen = products["normal=area,watanabe_b_normal=exact"]
+    assert study.options("watanabe_b", chosen) == {"normal": "exact"}
+    assert study.options("watanabe", chosen)["normal"] == "area"
+    with pytest.raises(InputError, match="unknown option 'watanabe_normals'; did you mean"):
+        Study(config | {"product": ["watanabe_normals"]})
 
 
-def test_a_product_that_changes_some_estimator_is_not_the_default(config):
-    """`uniform` is the default of all but watanabe, which weighs by area: no value of `normal`
-    leaves both kinds as they are, unless only one kind is there."""
-    product = {"product": ["normal"]}
-    assert Study(config | product).named_products() == {}
-    one_kind = config | product | {"estimators": ["watanabe"], "readings": {"default": {}}}
-    one_kind["more_readings"] = ["default"]
-    assert Study(one_kind).named_products() == {"normal=area": "default"}
-    exact = {"readings": config["readings"] | {"exact": {"normal": "exact"}}}
-    assert Study(config | product | exact).named_products() == {"normal=exact": "exact"}
+def test_the_first_values_of_a_product_are_the_default_reading(config):
+    """`uniform`, the first of `normal`, leaves watanabe its own weights by area."""
+    study = Study(config | {"product": ["normal", "area", "dihedral"]})
+    first = next(iter(study.products()))
+    assert first == "normal=uniform,area=third,dihedral=signed"
+    for estimator in study.estimators:
+        default = study.options(estimator, {})
+        assert study.options(estimator, study.products()[first]) == default
+    exact = study.products()["normal=exact,area=third,dihedral=signed"]
+    assert study.options("watanabe", exact)["normal"] == "exact"
 
 
 def test_study_shares_what_readings_have_in_common(config):
@@ -56,7 +63,7 @@ def test_study_shares_what_readings_have_in_common(config):
 
 def test_choices_are_those_of_the_study_alone(config):
     study = Study(config | {"estimators": ["watanabe_b"]})
-    assert set(study.choices()) == {"normal", "vertices"}
+    assert set(study.choices()) == {"normal", "watanabe_b_normal", "vertices"}
     # Options of others may stand in the config, whose readings an overlay can but add to.
     assert study.products() == {}
     assert all(not name.startswith("area") for name in study.single_changes())

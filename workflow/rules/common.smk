@@ -15,7 +15,7 @@ from curvlib.dataset.library import mesh_files
 from curvlib.meshes.key import MeshKey
 from curvlib.study.digest import digest
 from curvlib.study.config import Study
-from curvlib.study.readings import PAPER_FIGURES, Rows, error_figures, stem_of
+from curvlib.study.readings import PAPER_FIGURES, Named, Rows, error_figures, stem_of
 
 # One thread per job: jobs run side by side, and sums come out the same on any machine.
 os.environ |= {

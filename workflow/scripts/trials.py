@@ -1,4 +1,4 @@
-"""Put one estimator, in all its variants, through noise and shrinking rings."""
+"""Put one estimator, in its tabulated variants, through noise and shrinking rings."""
 
 from curvlib.comparison.run import write_rows
 from curvlib.comparison.trials import NOISE_COLUMNS, RING_COLUMNS, noise_rows, ring_rows
@@ -7,12 +7,13 @@ from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     params, name = snakemake.params, {"estimator": snakemake.wildcards.estimator}
+    variants = {variant: params.variants[variant] for variant in params.tabulated}
     meshes = load_library(*snakemake.input.library).only(params.meshes)
     noise = (
         {"surface": key.surface, **name, **row}
         for key, mesh in meshes.items()
-        for row in noise_rows(mesh, params.estimator, params.variants)
+        for row in noise_rows(mesh, params.estimator, variants)
     )
     write_rows(snakemake.output.noise, ("surface", "estimator", *NOISE_COLUMNS), noise)
-    rings = ({**name, **row} for row in ring_rows(params.estimator, params.variants))
+    rings = ({**name, **row} for row in ring_rows(params.estimator, variants))
     write_rows(snakemake.output.rings, ("estimator", *RING_COLUMNS), rings)
