@@ -1,7 +1,10 @@
 """The answer in words, from claims-summary.csv and explanations.csv."""
 
+import textwrap
+
 import pandas as pd
 
+from .cell import NINE, SEVEN
 from .explanations import BEST, best
 from .sentences import CLAIMS
 
@@ -44,9 +47,9 @@ COLUMNS = {
 }
 
 
-def answer(table: pd.DataFrame, explanations: pd.DataFrame, finest: int) -> str:
-    """The answer for the README in Markdown: sentences and a table, from claims-summary.csv and
-    explanations.csv; `finest`: the largest n."""
+def answer(table, explanations, convergence, finest: int) -> str:
+    """The answer for the README in Markdown, its sentences and a table: from claims-summary.csv,
+    explanations.csv and convergence.csv; `finest`: the largest n."""
     shown = pd.DataFrame({"": table.claim, "the paper says": table.sentence})
     rows = table.to_dict("records")
     for heading, column in COLUMNS.items():
@@ -54,48 +57,95 @@ def answer(table: pd.DataFrame, explanations: pd.DataFrame, finest: int) -> str:
         if set(cells) != {"-"}:
             shown[heading.format(finest=finest)] = cells
     body = shown.to_markdown(index=False, disable_numparse=True)
-    return f"{finding(rows, explanations)}\n\n{body}\n"
+    found = [said for said in findings(table, explanations, convergence).values() if said]
+    items = [textwrap.fill(f"* {said}", 100, subsequent_indent="  ") for said in found]
+    return "\n".join(items) + f"\n\n{body}\n"
 
 
-def finding(rows, explanations) -> str:
-    """What was found, in sentences that follow from the tables."""
-    by_number = {row["claim"]: row for row in rows}
-    said = []
-    if {1, 2} <= set(by_number):
-        said.append(
-            "**The answer.** Read as the text says, with its misprints corrected, and on meshes "
-            "like the paper's, the Gauss-Bonnet scheme is "
-            f"{_best_on(by_number[1], 'default')} for K, and paraboloid fitting is "
-            f"{_best_on(by_number[2], 'default')} for H."
-        )
+def findings(table, explanations, convergence) -> dict:
+    """What was found, in sentences that follow from the tables: `ranking`, `explanation`,
+    `irregular`; empty where the study does not say."""
+    rows = {row["claim"]: row for row in table.to_dict("records")}
+    found = dict.fromkeys(("ranking", "explanation", "irregular"), "")
+    if not {1, 2} <= set(rows):
+        return found
+    found["ranking"] = (
+        "With the misprints of the text corrected, and on meshes like the paper's, for K the "
+        f"Gauss-Bonnet scheme is {_best_on(rows[1], 'default')}; for H paraboloid fitting is "
+        f"{_best_on(rows[2], 'default')}."
+    )
     options = best(explanations)
     if options:
-        row = {n: by_number[n] for n in (1, 2)}
         joint = len(explanations.drop_duplicates(list(options)))
-        said.append(
-            f"A search of all {joint} joint readings found the one that explains the paper best: "
-            f"{in_plain_words(options)}. With it the Gauss-Bonnet scheme is "
-            f"{_best_on(row[1], BEST)} for K, and paraboloid fitting is "
-            f"{_best_on(row[2], BEST)} for H."
+        found["explanation"] = (
+            f"A search of all {joint} joint readings of the text found the one that explains the "
+            f"paper best: {in_plain_words(options)}. With it, for K the Gauss-Bonnet scheme is "
+            f"{_best_on(rows[1], BEST)}; for H paraboloid fitting is {_best_on(rows[2], BEST)}."
         )
-    return "\n\n".join(said)
+        gained = _at_finest(rows[2], BEST) > _at_finest(rows[2], "default")
+        if options.get("dihedral") == "as-printed" and gained:
+            found["explanation"] += (
+                " So not the method, but a misprint that was also in the program would give the "
+                "paper's advice on H: an explanation that fits, not a proof."
+            )
+    found["irregular"] = irregular(convergence)
+    return found
+
+
+def irregular(convergence) -> str:
+    """Which of the nine converge on irregular meshes for K and H, on all of the paper's surfaces,
+    for every seed; empty where the study does not have such meshes, or not all of the nine."""
+    kind = convergence.diagonal.str.replace(r"-\d+$", "", regex=True)
+    here = convergence[convergence.surface.isin(SEVEN) & convergence.estimator.isin(NINE)]
+    wanted = {"jittered", "random", "alternate"}, {"default", "exact-normals"}
+    complete = here.estimator.nunique() == 9 and here.surface.nunique() == 7
+    if not (complete and wanted[0] <= set(kind) and wanted[1] <= set(here.reading)):
+        return ""
+    good = here.verdict.isin(["converges", "exact"])
+    every = good.groupby([kind, here.reading, here.estimator]).all()
+
+    def named(cut, reading):
+        every_there = every[cut, reading]
+        names = [NAMES[name] for name in every_there.index[every_there]]
+        return " and ".join(names) + " alone" if names else "none of the nine"
+
+    return (
+        f"On grids with jittered points, {named('jittered', 'default')} converges on all seven "
+        f"surfaces for K and H with estimated normals, {named('jittered', 'exact-normals')} with "
+        f"exact ones. With these, {named('random', 'exact-normals')} does on random diagonals and "
+        f"{named('alternate', 'exact-normals')} on alternate ones."
+    )
+
+
+def _at_finest(row, column):
+    return int(row[f"{column}_true"]) + int(row[f"{column}_undecided"])
 
 
 def _best_on(row, column):
-    """`the best at the finest resolution on 5 of 5 surfaces and at every one on 2`."""
-    true, degenerate, undecided = (
-        int(row[f"{column}_{holds}"]) for holds in ("true", "degenerate", "undecided")
-    )
-    of, finest = int(row["of"]) - degenerate, true + undecided
+    """`the best of the nine at the finest resolution on 5 of 7 surfaces, and always on none`."""
+    true, degenerate = int(row[f"{column}_true"]), int(row[f"{column}_degenerate"])
+    of, finest = int(row["of"]) - degenerate, _at_finest(row, column)
     if not finest:
-        return f"the best at the finest resolution on none of {of} surfaces"
-    words = f"the best at the finest resolution on {finest} of {of} surfaces"
-    words += f" and at every one on {true or 'none'}"
-    if degenerate:
-        words += f" (on the other {degenerate}, K = 0 and the best two have no error)"
-    return words
+        words = f"the best of the nine on none of {of} surfaces, not even at the finest resolution"
+    elif true == finest:
+        words = f"always the best of the nine on {true} of {of} surfaces"
+    else:
+        words = f"the best of the nine at the finest resolution on {finest} of {of} surfaces, and "
+        words += f"always on {true or 'none'}"
+    return words + (f" (on {degenerate} more the two best have no error)" if degenerate else "")
 
 
+NAMES = {
+    "circular": "circular fitting",
+    "gauss_bonnet": "the Gauss-Bonnet scheme",
+    "paraboloid": "paraboloid fitting",
+    "taubin": "Taubin's method",
+    "taubin_a": "Taubin A",
+    "taubin_b": "Taubin B",
+    "watanabe": "Watanabe's method",
+    "watanabe_a": "Watanabe A",
+    "watanabe_b": "Watanabe B",
+}
 WORDS = {
     ("dihedral", "as-printed"): "(3.13) literally as printed, with the angle of the next edge",
     ("dihedral", "signed"): "the signed angle at each edge in (3.13)",

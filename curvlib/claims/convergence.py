@@ -122,8 +122,8 @@ def _orders(cell, wanted):
             words.append(f"{name} ({quantity}) exact")
         else:
             excess.append(curve.order - least)
-            local = f"local {curve.low:.2f} to {curve.high:.2f}"
-            words.append(f"{name} ({quantity}) order {curve.order:.2f}, {local}")
+            order, low, high = (f"{x:.2f}".replace("-0.00", "0.00") for x in curve[:3])
+            words.append(f"{name} ({quantity}) order {order}, local {low} to {high}")
     holds = Holds.all(states)
     effect = np.min(excess) if excess else np.nan
     return Verdict(holds, effect, "; ".join(words), from_first(cell, holds))

@@ -25,7 +25,7 @@ def _always_best(cell, quantity):
         _best(cell, quantity),
         ratio[-1],
         f"at n = {cell.n[-1]} its error is {ratio[-1]:.3g} times that of {rivals[-1]}, the best "
-        f"other, over {cell.vertices[quantity][-1]} vertices",
+        f"other, over {cell.vertices[quantity][-1]:.0f} vertices",
     )
 
 

@@ -1,5 +1,7 @@
 """Claims from the published tables: what a study lacks, what explains it, sums and words."""
 
+import itertools
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -271,11 +273,29 @@ def test_summary_counts_each_kind_of_mesh_apart():
     assert by_surface.loc[7].dropna().to_dict() == {"all": T}
 
 
+def convergence(converging):
+    """convergence.csv where (cut, reading, estimator) -> surfaces on which it does not converge."""
+    return pd.DataFrame(
+        {"surface": s, "diagonal": cut, "estimator": e, "reading": r, "quantity": q}
+        | {"verdict": "stagnates" if s in converging.get((cut, r, e), SEVEN) else "converges"}
+        for s, cut, r, e, q in itertools.product(
+            SEVEN,
+            ("jittered-1", "jittered-2", "random-1", "alternate"),
+            ("default", "exact-normals"),
+            NINE,
+            "KH",
+        )
+    )
+
+
+NONE = convergence({})
+
+
 def test_the_answer_follows_the_tables():
     """Counts, and sentences that say otherwise where the claims come out otherwise."""
     _, explanations = search()
     table = summary.summary(some_claims(), READINGS)
-    text = answer.answer(table, explanations, 256)
+    text = answer.answer(table, explanations, NONE, 256)
     lines = [[cell.strip() for cell in line.split("|")] for line in text.splitlines()]
     lines = [cells for cells in lines if len(cells) > 4]
     assert lines[0][3:7] == [
@@ -286,19 +306,50 @@ def test_the_answer_follows_the_tables():
     ]
     assert lines[2][3:7] == ["3 (+1) of 5", "1 (+2) of 5", "3 of 7", "5 of 7"]
     assert lines[8][3:7] == ["yes", "yes", "no", "yes"]
-    assert "the best at the finest resolution on 4 of 5 surfaces and at every one on 3" in text
-    assert "A search of all 2 joint readings" in text
-    assert "(3.13) literally as printed" in text
-    assert "best at the finest resolution on 5 of 7" in text
-    other = answer.answer(summary.summary(some_claims(0), READINGS), explanations, 256)
-    assert "best at the finest resolution on none of 7" in other
-    none = answer.answer(table.drop(columns=[c for c in table if BEST in c]), explanations[:0], 64)
+    assert text.startswith("* With the misprints")
+    none = answer.answer(
+        table.drop(columns=[c for c in table if BEST in c]), explanations[:0], NONE[:0], 64
+    )
     assert "best explanation" not in none
     assert "refined to n = 64" in none
+    assert none.count("\n* ") == 0
     words = answer.in_words(table)
     assert words.count("\n") == len(CLAIMS)
     assert "3 (+1) of 5 on the paper's meshes, 1 (+2) of 5 refined" in words
     assert "changes with loose" in words
+
+
+def test_findings_in_studies_that_come_out_otherwise():
+    _, explanations = search()
+    table = summary.summary(some_claims(), READINGS)
+    found = answer.findings(table, explanations, NONE)
+    assert "at the finest resolution on 4 of 5 surfaces, and always on 3 (on 2" in found["ranking"]
+    assert "A search of all 2 joint readings" in found["explanation"]
+    assert "(3.13) literally as printed" in found["explanation"]
+    assert "always the best of the nine on 5 of 7 surfaces" in found["explanation"]
+    assert "misprint" in found["explanation"], "five surfaces instead of four"
+    worse = answer.findings(summary.summary(some_claims(0), READINGS), explanations, NONE)
+    assert "on none of 7 surfaces, not even at the finest" in worse["explanation"]
+    assert "misprint" not in worse["explanation"]
+    signed = explanations[explanations.dihedral == "signed"]
+    assert "the signed angle at each edge" in answer.findings(table, signed, NONE)["explanation"]
+    assert "misprint" not in answer.findings(table, signed, NONE)["explanation"]
+
+
+def test_what_converges_on_irregular_meshes_is_looked_up():
+    assert answer.irregular(NONE).count("none of the nine") == 4
+    cuts = {(cut, "exact-normals", "paraboloid"): () for cut in ("jittered-1", "jittered-2")}
+    one = answer.irregular(convergence(cuts))
+    assert "normals, paraboloid fitting alone with exact ones. With these, none of the nine" in one
+    # For every seed, and on every surface.
+    for spoilt in ({("jittered-2", "exact-normals", "paraboloid"): ("cone",)}, {}):
+        kept = dict(list(cuts.items())[:1]) | spoilt
+        assert answer.irregular(convergence(kept)).count("none of the nine") == 4
+    both = convergence(cuts | {(c, r, "taubin"): () for c, r, _ in cuts})
+    assert "paraboloid fitting and Taubin's method alone" in answer.irregular(both)
+    assert answer.irregular(NONE[NONE.estimator != "taubin"]) == ""
+    assert answer.irregular(NONE[NONE.diagonal != "alternate"]) == ""
+    assert answer.irregular(NONE[NONE.surface != "cone"]) == ""
 
 
 def test_agreement_is_blank_where_there_is_nothing_to_rank():

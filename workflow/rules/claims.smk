@@ -11,6 +11,7 @@ rule claims:
         noise=rules.accuracy.output.noise,
         rings=rules.accuracy.output.rings,
         explanations=rules.explanations.output.explanations,
+        convergence=rules.accuracy.output.convergence,
     output:
         claims=study.results / "tables/claims.csv",
         agreement=study.results / "tables/agreement.csv",

@@ -12,12 +12,12 @@ from curvlib.study.job import logged
 with logged(snakemake.log[0]):
     output = snakemake.output
     tables = {name: pd.read_csv(file) for name, file in snakemake.input.items()}
-    explanations = tables.pop("explanations")
+    explanations, convergence = tables.pop("explanations"), tables.pop("convergence")
     claims = decide(**tables)
     claims.to_csv(output.claims, index=False)
     agreement(tables["readings"], tables["variants"]).to_csv(output.agreement, index=False)
     table = summary(claims, tables["readings"])
     table.to_csv(output.summary, index=False)
-    words = answer(table, explanations, tables["variants"].n.max())
+    words = answer(table, explanations, convergence, tables["variants"].n.max())
     Path(output.answer).write_text(words, encoding="utf-8")
     Path(output.words).write_text(in_words(table), encoding="utf-8")
