@@ -16,7 +16,7 @@ from . import estimators, surfaces
 from .catalogue import estimators as _estimators
 from .catalogue import surfaces as _surfaces
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 # Public name -> where it is defined; imported at first use (PEP 562).
 _PUBLIC = {

@@ -5,7 +5,7 @@ import textwrap
 import pandas as pd
 
 from .cell import NINE, SEVEN
-from .explanations import BEST, best
+from .explanations import BEST, search
 from .sentences import CLAIMS
 
 
@@ -74,13 +74,13 @@ def findings(table, explanations, convergence) -> dict:
         f"Gauss-Bonnet scheme is {_best_on(rows[1], 'default')}; for H paraboloid fitting is "
         f"{_best_on(rows[2], 'default')}."
     )
-    options = best(explanations)
-    if options:
-        joint = len(explanations.drop_duplicates(list(options)))
+    searched = search(explanations)
+    if searched:
+        options = searched["options"]
         found["explanation"] = (
-            f"A search of all {joint} joint readings of the text found the one that explains the "
-            f"paper best: {in_plain_words(options)}. With it, for K the Gauss-Bonnet scheme is "
-            f"{_best_on(rows[1], BEST)}; for H paraboloid fitting is {_best_on(rows[2], BEST)}."
+            f"A search of all {searched['joint']} joint readings of the text found the one that "
+            f"explains the paper best: {in_plain_words(options)}. With it, for K the "
+            f"Gauss-Bonnet scheme is {_best_on(rows[1], BEST)}; for H paraboloid fitting is {_best_on(rows[2], BEST)}."
         )
         gained = _at_finest(rows[2], BEST) > _at_finest(rows[2], "default")
         if options.get("dihedral") == "as-printed" and gained:

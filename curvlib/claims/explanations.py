@@ -93,6 +93,25 @@ def best(explanations, price=1) -> dict:
     return ranking.loc[score.idxmax(), options].to_dict()
 
 
+def search(explanations) -> dict:
+    """What the search found: `options` of the best explanation, `joint`: how many readings it was
+    chosen from, its `departures` and `score`, how many others have the same score (`equal`), and
+    the whole `prices` of a departure, 0 to 5, at which it is the best; {} without one."""
+    options = best(explanations)
+    if not options:
+        return {}
+    one = explanations.drop_duplicates(list(options)).set_index(list(options))
+    winner = one.loc[tuple(options.values())]
+    return {
+        "options": options,
+        "joint": len(one),
+        "departures": int(winner.departures),
+        "score": int(winner.score),
+        "equal": int((one.score == winner.score).sum()) - 1,
+        "prices": [price for price in range(6) if best(explanations, price) == options],
+    }
+
+
 def with_best(readings, explanations) -> pd.DataFrame:
     """readings.csv with the rows of the named reading `best-explanation`, if there is one."""
     options = best(explanations)

@@ -14,15 +14,16 @@ BY_N = "true: at every n; undecided: at the finest, but not at every n"
 BEST = f"{BY_N}; best: at most 1 + {TIE} times the best other"
 
 
-def _best(cell, quantity):
-    return cell.states(cell.ratios[quantity][0] <= 1 + TIE, quantity)
+def _best(cell, quantity, tie=TIE):
+    return cell.states(cell.ratios[quantity][0] <= 1 + tie, quantity)
 
 
-def _always_best(cell, quantity):
+def always_best(cell, quantity, tie=TIE) -> Verdict:
+    """Whether the favourite for a quantity is the best, or within a tie of it, at every n."""
     ratio, rivals = cell.ratios[quantity]
     return decided_at_each_n(
         cell,
-        _best(cell, quantity),
+        _best(cell, quantity, tie),
         ratio[-1],
         f"at n = {cell.n[-1]} its error is {ratio[-1]:.3g} times that of {rivals[-1]}, the best "
         f"other, over {cell.vertices[quantity][-1]:.0f} vertices",
@@ -38,7 +39,7 @@ def _always_best(cell, quantity):
     BEST,
 )
 def best_for_K(cell):
-    return _always_best(cell, "K")
+    return always_best(cell, "K")
 
 
 @claim(
@@ -50,7 +51,7 @@ def best_for_K(cell):
     BEST,
 )
 def best_for_H(cell):
-    return _always_best(cell, "H")
+    return always_best(cell, "H")
 
 
 @claim(

@@ -4,6 +4,7 @@ import pandas as pd
 
 from .cell import FAVOURITES, NINE, Holds, chosen, kendall_tau
 from .evidence import PAPER, QUADRIC, REFINED, TOGETHER, Evidence
+from .rankings import always_best
 from .sentences import CLAIMS
 
 HOLDS = [holds.value for holds in reversed(Holds)]  # from the best to the worst
@@ -93,12 +94,8 @@ def agreement(readings, variants) -> pd.DataFrame:
     degenerate or an error is missing.
     """
     surfaces = chosen(variants.surface)
-    evidence = Evidence(variants[variants.paper & variants.surface.isin(surfaces)])
     rows = []
-    for name, reading in readings[readings.kind == "named"].groupby("reading", sort=False):
-        if set(NINE) - set(reading.estimator):
-            continue
-        cells = {cell.surface: cell for _, cell in evidence.cells(reading)}
+    for name, cells in _named(readings, variants, surfaces):
         for quantity in FAVOURITES:
             ranked = {
                 surface: tuple(cell.ranks[quantity][-1].tolist())
@@ -119,3 +116,23 @@ def agreement(readings, variants) -> pd.DataFrame:
                 for other in surfaces
             ]
     return pd.DataFrame(rows, columns=["reading", "quantity", "surface", "other", "tau"])
+
+
+def decided_by_ties(readings, variants, ties=(0, 0.02, 0.05, 0.1)) -> list[tuple]:
+    """The verdicts on claims 1 and 2 on the paper's meshes that depend on the tolerance of a tie:
+    (reading, quantity, surface) of the named readings and the paper's surfaces."""
+    return [
+        (name, quantity, surface)
+        for name, cells in _named(readings, variants, chosen(variants.surface))
+        for surface, cell in cells.items()
+        for quantity in FAVOURITES
+        if len({always_best(cell, quantity, tie).holds for tie in ties}) > 1
+    ]
+
+
+def _named(readings, variants, surfaces):
+    """(reading, surface -> Cell on the paper's meshes) for the named readings of all nine."""
+    evidence = Evidence(variants[variants.paper & variants.surface.isin(surfaces)])
+    for name, reading in readings[readings.kind == "named"].groupby("reading", sort=False):
+        if not set(NINE) - set(reading.estimator):
+            yield name, {cell.surface: cell for _, cell in evidence.cells(reading)}

@@ -10,6 +10,7 @@ from curvlib.claims import answer, summary
 from curvlib.claims.cell import FAVOURITES, NINE, SEVEN
 from curvlib.claims.evidence import decide
 from curvlib.claims.explanations import BEST, best, departures, explain, marginals, with_best
+from curvlib.claims.explanations import search as found_by
 from curvlib.claims.sentences import CLAIMS
 from curvlib.comparison import accuracy
 
@@ -174,6 +175,10 @@ def test_the_best_explanation_is_searched():
     assert by_claim.loc[("as-printed", 1), "score"] == 3 * 21 - 1
     assert by_claim.loc[("signed", 1), "score"] == 2 * 21 - 2
     assert best(explanations) == {"area": "third", "dihedral": "as-printed"}
+    told = found_by(explanations)
+    assert told["options"] == best(explanations)
+    assert (told["joint"], told["departures"], told["score"]) == (2, 1, 62)
+    assert (told["equal"], told["prices"]) == (0, [0, 1, 2, 3, 4, 5])
     named = with_best(readings, explanations)
     of_gauss_bonnet = named[(named.reading == BEST) & (named.estimator == "gauss_bonnet")]
     assert of_gauss_bonnet[["kind", "variant", "more"]].to_numpy().tolist() == [
@@ -209,7 +214,7 @@ def test_freedom_is_not_free():
 def test_without_joint_readings_or_the_nine_there_is_no_explanation(kept):
     study = tables(kept)
     found = explain(study["readings"], study["variants"], study["curves"])
-    assert best(found) == {}
+    assert best(found) == found_by(found) == {}
     assert marginals(found).empty
     assert BEST not in set(with_best(study["readings"], found).reading)
     if kept is not NINE:
@@ -363,3 +368,12 @@ def test_agreement_is_blank_where_there_is_nothing_to_rank():
     blank = found.tau["K"].isna()
     assert blank.sum() == 13
     assert blank["cone"].all()
+
+
+def test_verdicts_that_depend_on_the_tolerance_of_a_tie_are_found():
+    study = tables(surfaces=SEVEN)
+    rows = study["variants"]
+    assert summary.decided_by_ties(study["readings"], rows) == []
+    close = (rows.surface == "cone") & (rows.quantity == "K") & (rows.estimator == "gauss_bonnet")
+    rows.loc[close, "mean"] *= 2 * 1.04
+    assert summary.decided_by_ties(study["readings"], rows) == [("default", "K", "cone")]

@@ -16,6 +16,7 @@ rule claims:
         claims=study.results / "tables/claims.csv",
         agreement=study.results / "tables/agreement.csv",
         summary=tabled("claims-summary"),
+        findings=study.results / "tables/findings.json",
         answer=study.results / "tables/answer.md",
         words=study.results / "tables/answer-in-words.md",
     log:

@@ -1,12 +1,14 @@
 """Decide every claim for every surface, diagonal and reading, and sum up."""
 
+import json
 from pathlib import Path
 
 import pandas as pd
 
-from curvlib.claims.answer import answer, in_words
+from curvlib.claims.answer import answer, findings, in_words
 from curvlib.claims.evidence import decide
-from curvlib.claims.summary import agreement, summary
+from curvlib.claims.explanations import search
+from curvlib.claims.summary import agreement, decided_by_ties, summary
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
@@ -18,6 +20,11 @@ with logged(snakemake.log[0]):
     agreement(tables["readings"], tables["variants"]).to_csv(output.agreement, index=False)
     table = summary(claims, tables["readings"])
     table.to_csv(output.summary, index=False)
+    told = findings(table, explanations, convergence) | {
+        "search": search(explanations),
+        "decided_by_ties": decided_by_ties(tables["readings"], tables["variants"]),
+    }
+    Path(output.findings).write_text(json.dumps(told, indent=1), encoding="utf-8")
     words = answer(table, explanations, convergence, tables["variants"].n.max())
     Path(output.answer).write_text(words, encoding="utf-8")
     Path(output.words).write_text(in_words(table), encoding="utf-8")
