@@ -80,7 +80,8 @@ def findings(table, explanations, convergence) -> dict:
         found["explanation"] = (
             f"A search of all {searched['joint']} joint readings of the text found the one that "
             f"explains the paper best: {in_plain_words(options)}. With it, for K the "
-            f"Gauss-Bonnet scheme is {_best_on(rows[1], BEST)}; for H paraboloid fitting is {_best_on(rows[2], BEST)}."
+            f"Gauss-Bonnet scheme is {_best_on(rows[1], BEST)}; for H paraboloid fitting is "
+            f"{_best_on(rows[2], BEST)}."
         )
         gained = _at_finest(rows[2], BEST) > _at_finest(rows[2], "default")
         if options.get("dihedral") == "as-printed" and gained:
