@@ -4,7 +4,7 @@ import numpy as np
 
 from .quantities import QUANTITIES, absolute
 
-NORMS = ("mean", "q95", "max", "mean-signed")
+NORMS = ("mean", "median", "q95", "max", "mean-signed")
 
 # Choices of vertices, the default first: a reading of the count, not of an estimator.
 VERTICES = ("interior", "without-poles")
@@ -29,7 +29,8 @@ def error_rows(exact, estimates, counted):
         a, b = a[defined], b[defined]
         error, values = quantity.error(a, b), np.full(len(NORMS), np.nan)
         if defined.any():
-            values = error.mean(), np.quantile(error, 0.95), error.max(), absolute(a, b).mean()
+            median, q95 = np.quantile(error, (0.5, 0.95))
+            values = error.mean(), median, q95, error.max(), absolute(a, b).mean()
         count = {"vertices": int(defined.sum()), "undefined": int((counted & ~defined).sum())}
         yield {"quantity": name, **dict(zip(NORMS, map(float, values))), **count}
 
