@@ -45,6 +45,35 @@ def test_spout_has_the_extremes_of_its_lip():
     assert (tube.min(), tube.max()) == pytest.approx((-7.86, 9.18), rel=0.01)
 
 
+@pytest.mark.parametrize(
+    ("part", "whole", "low", "high"),
+    [("teapot_spout_tube", "teapot_spout", 0, 1), ("teapot_body_wall", "teapot_body", 1, 2)],
+)
+def test_a_smooth_part_is_the_whole_between_its_joints(part, whole, low, high):
+    part, whole = curvlib.surface(part), curvlib.surface(whole)
+    assert part.domain == ((low, high), whole.domain[1])
+    u, v = np.linspace(low, high, 13), np.linspace(*whole.domain[1], 17)
+    np.testing.assert_allclose(part.point(u[:, None], v), whole.point(u[:, None], v), atol=1e-13)
+    inside, ends = (part.curvature(t[:, None], v) for t in (u[1:-1], u[[0, -1]]))
+    expected = whole.curvature(u[1:-1, None], v)
+    np.testing.assert_allclose(inside.K, expected.K, rtol=1e-10, atol=1e-12)
+    np.testing.assert_allclose(inside.H, expected.H, rtol=1e-10, atol=1e-12)
+    assert inside.smooth.all()
+    assert ends.smooth.all()
+
+
+def test_the_wall_leaves_the_steep_parts_of_the_body_out():
+    """|H| as in the docstring of `teapot_body_wall`."""
+
+    def largest(name, low, high):
+        u, v = np.linspace(low, high, 401)[:, None], np.linspace(0, 4, 65)
+        return np.nanmax(abs(curvlib.surface(name).curvature(u, v).H))
+
+    assert largest("teapot_body", 0, 1) == pytest.approx(26.3, abs=0.05)
+    assert largest("teapot_body", 2, 3) == pytest.approx(29.4, abs=0.05)
+    assert largest("teapot_body_wall", 1, 2) == pytest.approx(0.67, abs=0.005)
+
+
 def test_revolution_has_both_signs():
     s = curvlib.surface("revolution")
     K = s.curvature(0.1, np.linspace(0, 1, 101)).K

@@ -170,7 +170,7 @@ def test_files_are_checked_when_the_study_is_read(config, tmp_path):
 def test_the_study_names_what_it_runs():
     config = yaml.safe_load((ROOT / "config/config.yaml").read_text(encoding="utf-8"))
     assert " ".join(config["estimators"]) == NINE.strip()
-    assert len(config["surfaces"]) == 9
+    assert len(config["surfaces"]) == 10
 
 
 def test_a_broken_file_that_the_study_does_not_name(config, monkeypatch):
