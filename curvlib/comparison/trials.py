@@ -1,5 +1,7 @@
 """Two experiments beyond the paper: noise on its meshes, and one-rings that shrink on quadrics."""
 
+import zlib
+
 import numpy as np
 
 from curvlib.catalogue import estimators
@@ -16,43 +18,52 @@ VALENCES = range(3, 10)
 SIZES = 0.5 ** np.arange(1, 9)
 RING_DRAWS = 100
 
-NOISE_COLUMNS = ("variant", "quantity", "sigma", "draws", "value", "spread")
+NOISE_COLUMNS = ("surface", "n", "variant", "quantity", "sigma", "draws", "value", "spread")
+NOISE_COLUMNS += ("response", "response_spread", "vertices")
 RING_COLUMNS = ("variant", "valence", "ring", "h", "quantity", "value", "undefined")
 
 
-def noise_rows(mesh, estimator: str, variants: dict, seed: int = 0):
-    """Yield dicts of NOISE_COLUMNS for one Mesh: mean errors under displaced vertices.
+def noise_rows(key, mesh, estimator: str, variants: dict):
+    """Yield dicts of NOISE_COLUMNS for the Mesh of a MeshKey: mean errors under displaced vertices.
 
-    Every vertex moves along its exact normal by a normal deviate, the same for all estimators.
-    The moved mesh keeps the normals of the clean surface: the reading `normal=exact` is an oracle
-    here. Mean errors are over the vertices that are defined in all draws; `value` is their mean
-    over the draws, `spread` their standard deviation; NaN without such a vertex.
+    Every vertex moves along its exact normal by sigma mean edges times a normal deviate; where the
+    normal is undefined the vertex stays. The draws depend on surface and n alone. The moved mesh
+    has no exact normals, so that a variant with `normal=exact` cannot run on it and has no rows.
+
+    Means are over the interior `vertices` that have an exact value and an estimate on the clean
+    mesh and in all draws; without such a vertex they are NaN. `value` is the mean error, `response` the mean
+    of |x_noisy - x_clean|, x the estimate: what noise does to it, whatever its error. `spread` and
+    `response_spread` are the standard deviations of either over the draws.
     """
     edges = mesh.vertices[mesh.faces] - mesh.vertices[np.roll(mesh.faces, -1, axis=1)]
     length = np.linalg.norm(edges, axis=2).mean()
-    for sigma in SIGMAS:
-        rng = np.random.default_rng(seed)
-        draws = NOISE_DRAWS if sigma else 1
-        shifts = sigma * length * rng.standard_normal((draws, len(mesh.vertices), 1))
-        # Where the normal is undefined the vertex stays.
-        noisy = [mesh.moved(mesh.vertices + np.nan_to_num(s * mesh.normals)) for s in shifts]
-        for variant, options in variants.items():
-            results = [estimate(m, estimator, **options) for m in noisy]
+    rng = np.random.default_rng([zlib.crc32(key.surface.encode()), key.n])
+    deviates = rng.standard_normal((NOISE_DRAWS, len(mesh.vertices), 1))
+    steps = np.nan_to_num(length * deviates * mesh.normals)
+    still = [mesh.moved(mesh.vertices)]
+    moved = {s: [mesh.moved(mesh.vertices + s * step) for step in steps] for s in SIGMAS if s}
+    for variant, options in variants.items():
+        if options.get("normal") == "exact":
+            continue
+        clean = estimate(still[0], estimator, **options)
+        for sigma in SIGMAS:
+            results = [estimate(m, estimator, **options) for m in moved.get(sigma, still)]
             for name, quantity in QUANTITIES.items():
-                estimates = np.array([getattr(result, name) for result in results])
-                exact = getattr(mesh, name)
-                defined = np.isfinite(estimates).all(0) & np.isfinite(exact)
-                means = np.full(draws, np.nan)
-                if defined.any():
-                    means = quantity.error(exact, estimates)[:, defined].mean(1)
-                yield {
-                    "variant": variant,
-                    "quantity": name,
-                    "sigma": sigma,
-                    "draws": draws,
-                    "value": float(means.mean()),
-                    "spread": float(means.std()),
-                }
+                exact, before = getattr(mesh, name), getattr(clean, name)
+                after = np.array([getattr(result, name) for result in results])
+                defined = np.isfinite((exact, before, *after)).all(0) & ~mesh.boundary
+                exact, before, after = exact[defined], before[defined], after[:, defined]
+                row = {"surface": key.surface, "n": key.n, "variant": variant, "quantity": name}
+                row |= {"sigma": sigma, "draws": len(results)}
+                row |= _over_draws("value", "spread", quantity.error(exact, after))
+                row |= _over_draws("response", "response_spread", absolute(before, after))
+                yield row | {"vertices": int(defined.sum())}
+
+
+def _over_draws(mean, spread, distances):
+    """The mean of distances (draws, vertices), and the standard deviation of the draws' means."""
+    means = distances.mean(1) if distances.size else np.full(1, np.nan)
+    return {mean: float(means.mean()), spread: float(means.std())}
 
 
 def ring_rows(estimator: str, variants: dict, seed: int = 0):

@@ -108,7 +108,7 @@ class Mesh:
         return f"<Mesh of {len(self.vertices)} vertices, {len(self.faces)} faces>"
 
     def moved(self, vertices) -> "Mesh":
-        """A mesh with the same faces, rings and normals, other vertices and no exact values.
+        """A mesh with the same faces and rings, other vertices, and no normals or exact values.
 
         Parameters
         ----------
@@ -118,7 +118,7 @@ class Mesh:
         -------
         Mesh
         """
-        mesh = Mesh(vertices, self.faces, normals=self.normals)
+        mesh = Mesh(vertices, self.faces)
         mesh._rings = self.rings
         return mesh
 

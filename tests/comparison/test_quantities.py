@@ -58,7 +58,7 @@ def test_a_third_quantity_is_one_row(k1, tmp_path):
 
 def test_trials_of_a_third_quantity(k1):
     mesh = curvlib.tessellate(curvlib.surface("sphere"), 8)
-    rows = pd.DataFrame(noise_rows(mesh, "taubin", {"-": {}}))
+    rows = pd.DataFrame(noise_rows(MeshKey("sphere", "same", 8), mesh, "taubin", {"-": {}}))
     clean = rows[rows.sigma == 0].set_index("quantity").value
     estimates = curvlib.estimate(mesh, "taubin")
     for quantity in QUANTITIES:

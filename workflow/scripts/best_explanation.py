@@ -25,12 +25,12 @@ with logged(snakemake.log[0]):
     )
     write_rows(output.errors, COLUMNS, errors)
     noise = (
-        {"surface": key.surface, "estimator": stem, **row}
+        {"estimator": stem, **row}
         for stem, estimator, variants in runs
         for key, mesh in noisy.items()
-        for row in noise_rows(mesh, estimator, variants)
+        for row in noise_rows(key, mesh, estimator, variants)
     )
-    write_rows(output.noise, ("surface", "estimator", *NOISE_COLUMNS), noise)
+    write_rows(output.noise, ("estimator", *NOISE_COLUMNS), noise)
     rings = (
         {"estimator": stem, **row}
         for stem, estimator, variants in runs

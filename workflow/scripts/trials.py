@@ -10,10 +10,10 @@ with logged(snakemake.log[0]):
     variants = {variant: params.variants[variant] for variant in params.tabulated}
     meshes = load_library(*snakemake.input.library).only(params.meshes)
     noise = (
-        {"surface": key.surface, **name, **row}
+        {**name, **row}
         for key, mesh in meshes.items()
-        for row in noise_rows(mesh, params.estimator, variants)
+        for row in noise_rows(key, mesh, params.estimator, variants)
     )
-    write_rows(snakemake.output.noise, ("surface", "estimator", *NOISE_COLUMNS), noise)
+    write_rows(snakemake.output.noise, ("estimator", *NOISE_COLUMNS), noise)
     rings = ({**name, **row} for row in ring_rows(params.estimator, variants))
     write_rows(snakemake.output.rings, ("estimator", *RING_COLUMNS), rings)
