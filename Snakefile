@@ -21,6 +21,7 @@ include: "workflow/rules/estimates.smk"
 include: "workflow/rules/explanations.smk"
 include: "workflow/rules/refined.smk"
 include: "workflow/rules/accuracy.smk"
+include: "workflow/rules/shapes.smk"
 include: "workflow/rules/claims.smk"
 include: "workflow/rules/pictures.smk"
 include: "workflow/rules/figures.smk"
@@ -34,6 +35,7 @@ rule all:
     input:
         LIBRARY,
         rules.accuracy.output,
+        rules.shapes.output,
         rules.claims.output,
         rules.figures.input,
         rules.paper.output if THE_STUDY else [],

@@ -1,1 +1,1 @@
-"""Estimates against exact values: norms, runs, trials, slopes and ranks, cost."""
+"""Estimates against exact values: norms, runs, trials, other shapes, slopes and ranks, cost."""

@@ -31,9 +31,9 @@ def noise_rows(key, mesh, estimator: str, variants: dict):
     has no exact normals, so that a variant with `normal=exact` cannot run on it and has no rows.
 
     Means are over the interior `vertices` that have an exact value and an estimate on the clean
-    mesh and in all draws; without such a vertex they are NaN. `value` is the mean error, `response` the mean
-    of |x_noisy - x_clean|, x the estimate: what noise does to it, whatever its error. `spread` and
-    `response_spread` are the standard deviations of either over the draws.
+    mesh and in all draws; without such a vertex they are NaN. `value` is the mean error, `response`
+    the mean of |x_noisy - x_clean|, x the estimate: what noise does to it, whatever its error.
+    `spread` and `response_spread` are the standard deviations of either over the draws.
     """
     edges = mesh.vertices[mesh.faces] - mesh.vertices[np.roll(mesh.faces, -1, axis=1)]
     length = np.linalg.norm(edges, axis=2).mean()

@@ -37,6 +37,14 @@ def revolve(degree, knots, profile, weights=None):
     return nurbs((2, degree), (CIRCLE_KNOTS, knots), net, np.outer(CIRCLE_WEIGHTS, weights))
 
 
+def scale(surface, factors):
+    """A surface with x, y and z multiplied by three factors."""
+    shape = (surface.ctrlpts_size_u, surface.ctrlpts_size_v)
+    net = np.reshape(surface.ctrlpts, (*shape, 3)) * factors
+    knots = (surface.knotvector_u, surface.knotvector_v)
+    return nurbs(surface.degree, knots, net, np.reshape(surface.weights, shape))
+
+
 def teapot(part):
     """One part of Newell's teapot, from teapot.json, which names its source."""
     data = json.loads(Path(__file__).with_name("teapot.json").read_text(encoding="utf-8"))[part]

@@ -23,6 +23,11 @@ TABLES = ["comparison/norms", "comparison/quantities"]
         ("estimate", [*ESTIMATES, *TABLES, "dataset/library"], [*GEOMETRY, *WRITING]),
         ("accuracy", [*TABLES, "comparison/accuracy"], [*GEOMETRY, *WRITING, *ESTIMATES]),
         (
+            "shapes",
+            [*ESTIMATES, *GEOMETRY, *TABLES, "comparison/shapes", "surfaces/_random"],
+            [*WRITING, "comparison/accuracy", "comparison/trials", "surfaces/teapot_body"],
+        ),
+        (
             "claims",
             [*TABLES, "claims/evidence", "claims/sentences"],
             [*GEOMETRY, *WRITING, *ESTIMATES, "comparison/accuracy", "comparison/run"],

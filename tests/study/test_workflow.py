@@ -26,7 +26,7 @@ results: results/small
 """
 FIGURES = {"claim_plots", "error_plots_K", "error_plots_H", "error_maps"}
 ERRORS = "results/small/tables/errors.csv"
-AGGREGATES = {"explanations", "best_explanation", "accuracy", "claims", *FIGURES, "all"}
+AGGREGATES = {"explanations", "best_explanation", "accuracy", "shapes", "claims", *FIGURES, "all"}
 
 
 @pytest.fixture

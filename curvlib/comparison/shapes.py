@@ -1,0 +1,61 @@
+"""Errors on other shapes than the study's own, in a few readings."""
+
+import numpy as np
+import pandas as pd
+
+from curvlib.estimation import estimate
+
+from .norms import NORMS, VERTICES, counted_vertices, error_rows, largest_curvature, rounding_level
+
+# The option whose other values are tried in the best reading.
+TRIED = "dihedral"
+
+LABELS = ("family", "shape", "proportions", "surface", "diagonal", "n")
+COLUMNS = (*LABELS, "triangles", "elongation", "estimator", "variant", "counted", "quantity")
+COLUMNS += (*NORMS, "vertices", "undefined", "rounding")
+
+
+def readings_on_shapes(readings, best: str) -> pd.DataFrame:
+    """The rows of readings.csv for shapes: the default, the reading `best` where the study has it,
+    and that with the other values of TRIED, called `<best>,dihedral=signed`.
+
+    An estimator without such a variant in `readings` keeps its own.
+    """
+    first = readings[readings.reading == best]
+    known = set(zip(readings.estimator, readings.variant))
+    chosen = [readings[readings.reading == "default"], first]
+    values = readings.variant.str.extract(rf"\b{TRIED}=([^,]*)")[0]
+    for choice in TRIED + "=" + values.dropna().drop_duplicates():
+        other = first.variant.str.replace(rf"\b{TRIED}=[^,]*", choice, regex=True)
+        exists = [pair in known for pair in zip(first.estimator, other)]
+        other = other.where(exists, first.variant)
+        if not other.equals(first.variant):
+            chosen.append(first.assign(reading=f"{best},{choice}", variant=other))
+    return pd.concat(chosen, ignore_index=True)
+
+
+def elongation(mesh) -> float:
+    """The median over the triangles of a Mesh of their longest edge over their shortest."""
+    ends = mesh.vertices[mesh.faces]
+    lengths = np.linalg.norm(ends - np.roll(ends, -1, axis=1), axis=2)
+    return float(np.median(lengths.max(1) / lengths.min(1)))
+
+
+def shape_rows(shapes, readings, estimators: dict, variants: dict):
+    """Yield dicts of COLUMNS: the errors of every variant that `readings` name, on every shape.
+
+    `shapes`: pairs of LABELS with their values and a Mesh; `readings`: rows as in readings.csv;
+    by the estimators there, `estimators`: name or path, `variants`: variant -> options. Errors
+    below `rounding` are rounding, as in variants.csv.
+    """
+    counted = readings.groupby(["estimator", "variant"], sort=False).counted.unique()
+    for labels, mesh in shapes:
+        of_mesh = labels | {"triangles": len(mesh.faces), "elongation": elongation(mesh)}
+        vertices, largest = counted_vertices(mesh), largest_curvature(mesh)
+        for (stem, variant), choices in counted.items():
+            result = estimate(mesh, estimators[stem], **variants[stem][variant])
+            for choice in choices:
+                of_run = of_mesh | {"estimator": stem, "variant": variant, "counted": choice}
+                # On a surface without poles all choices are the same.
+                for row in error_rows(mesh, result, vertices.get(choice, vertices[VERTICES[0]])):
+                    yield of_run | row | {"rounding": rounding_level(row["quantity"], largest)}
