@@ -36,7 +36,7 @@ except InputError as error:
     sys.exit(f"error: {error}")
 
 if workflow.is_main_process and not study.library.exists():
-    # A folder named on the command line is one that is there: 750 MB are not made for a typing error.
+    # A folder named on the command line is one that is there: 880 MB are not made for a typing error.
     if "library" in workflow.config_settings.config:
         sys.exit(f"error: config: library: {str(study.library)!r} does not exist")
     print(f"There are no meshes yet; they are made in {study.library}", file=sys.stderr)
