@@ -16,7 +16,7 @@ STAGNATION = 0.5
 # Columns of text in the tables that jobs write; in the others stand numbers.
 WORDS = ("surface", "diagonal", "estimator", "variant", "counted", "ring", "quantity")
 # Columns of errors, empty where there is none.
-ERRORS = (*NORMS, "value", "spread")
+ERRORS = (*NORMS, "value", "spread", "response", "response_spread")
 
 
 def read(path) -> pd.DataFrame:

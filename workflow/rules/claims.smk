@@ -12,8 +12,10 @@ rule claims:
         rings=rules.accuracy.output.rings,
         explanations=rules.explanations.output.explanations,
         convergence=rules.accuracy.output.convergence,
+        shapes=rules.shapes.output.shapes,
     output:
         claims=study.results / "tables/claims.csv",
+        guesses=tabled("guesses"),
         agreement=study.results / "tables/agreement.csv",
         summary=tabled("claims-summary"),
         findings=study.results / "tables/findings.json",

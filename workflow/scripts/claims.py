@@ -7,17 +7,21 @@ import pandas as pd
 
 from curvlib.claims.answer import answer, findings, in_words
 from curvlib.claims.evidence import decide
-from curvlib.claims.explanations import search
+from curvlib.claims.explanations import BEST, search
+from curvlib.claims.guesses import guesses
 from curvlib.claims.summary import agreement, decided_by_ties, summary
+from curvlib.comparison.shapes import readings_on_shapes
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
     output = snakemake.output
     tables = {name: pd.read_csv(file) for name, file in snakemake.input.items()}
-    explanations, convergence = tables.pop("explanations"), tables.pop("convergence")
+    explanations, convergence, shapes = map(tables.pop, ("explanations", "convergence", "shapes"))
     claims = decide(**tables)
     claims.to_csv(output.claims, index=False)
     agreement(tables["readings"], tables["variants"]).to_csv(output.agreement, index=False)
+    on_shapes = readings_on_shapes(tables["readings"], BEST)
+    guesses(shapes, on_shapes).to_csv(output.guesses, index=False)
     table = summary(claims, tables["readings"])
     table.to_csv(output.summary, index=False)
     told = findings(table, explanations, convergence) | {
