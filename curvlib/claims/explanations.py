@@ -95,13 +95,22 @@ def best(explanations, price=1) -> dict:
 
 def search(explanations) -> dict:
     """What the search found: `options` of the best explanation, `joint`: how many readings it was
-    chosen from, its `departures` and `score`, how many others have the same score (`equal`), and
-    the whole `prices` of a departure, 0 to 5, at which it is the best; {} without one."""
+    chosen from, its `departures` and `score`, how many others have the same score (`equal`), the
+    whole `prices` of a departure, 0 to 5, at which it is the best, and its `neighbours`: with one
+    option changed (`dihedral=signed`) the number of surfaces by claim of RANKING at the finest n.
+    {} without one."""
     options = best(explanations)
     if not options:
         return {}
     one = explanations.drop_duplicates(list(options)).set_index(list(options))
     winner = one.loc[tuple(options.values())]
+    ranking = explanations[explanations.claim.isin(RANKING)]
+    other = (ranking[list(options)] != pd.Series(options)).to_numpy()
+    neighbours = {}
+    for option, changed in zip(options, other.T):
+        for value, rows in ranking[changed & (other.sum(1) == 1)].groupby(option, sort=False):
+            found = rows.set_index("claim").at_finest
+            neighbours[f"{option}={value}"] = {str(n): int(found[n]) for n in RANKING}
     return {
         "options": options,
         "joint": len(one),
@@ -109,6 +118,7 @@ def search(explanations) -> dict:
         "score": int(winner.score),
         "equal": int((one.score == winner.score).sum()) - 1,
         "prices": [price for price in range(6) if best(explanations, price) == options],
+        "neighbours": neighbours,
     }
 
 

@@ -15,6 +15,7 @@ EXCERPTS = {
     "errors": {"norm": ["mean", "median"], "diagonal": ["same"], "reading": QUOTED},
     "ranks": {"diagonal": ["same"], "reading": QUOTED},
     "claims": {"meshes": ["paper"], "reading": QUOTED},
+    "noise": {"surface": ["sphere", "teapot_body"], "quantity": ["K", "H"]},
 }
 
 
