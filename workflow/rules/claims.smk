@@ -13,8 +13,8 @@ rule claims:
         explanations=rules.explanations.output.explanations,
         convergence=rules.accuracy.output.convergence,
     output:
-        claims=study.results / "tables/claims.csv",
-        agreement=study.results / "tables/agreement.csv",
+        claims=tabled("claims"),
+        agreement=tabled("agreement"),
         summary=tabled("claims-summary"),
         findings=study.results / "tables/findings.json",
         answer=study.results / "tables/answer.md",
