@@ -8,36 +8,16 @@ import json
 import re
 from pathlib import Path
 
-from curvlib.errors import InputError
 from curvlib.files import whole_file
 
 
 def answer(markdown: str) -> str:
-    """HTML of paragraphs and tables in Markdown, with `**bold**` words and `code`."""
-    blocks = re.split(r"\n\s*\n", markdown.strip())
-    return "\n".join(_table(b) if b.startswith("|") else f"<p>{_inline(b)}</p>" for b in blocks)
+    """HTML of the answer, whose tables scroll on narrow screens."""
+    from markdown_it import MarkdownIt
 
-
-def _table(block):
-    head, _, *rows = ([c.strip() for c in row.strip("|").split("|")] for row in block.split("\n"))
-    for row in rows:
-        if len(row) != len(head):
-            raise InputError(f"the row {' | '.join(row)!r} has {len(row)} cells, not {len(head)}")
-    body = "".join(f"<tr>{_cells('td', row)}</tr>\n" for row in rows)
-    return (
-        f'<div class="wide" tabindex="0"><table>\n<thead><tr>{_cells("th", head)}</tr></thead>\n'
-        f"<tbody>\n{body}</tbody>\n</table></div>"
-    )
-
-
-def _cells(tag, row):
-    return "".join(f"<{tag}>{_inline(cell)}</{tag}>" for cell in row)
-
-
-def _inline(text):
-    text = html.escape(text.replace("^2", "²"), quote=False)
-    text = re.sub(r"\*\*(.+?)\*\*", r"<strong>\1</strong>", text)
-    return re.sub("`(.+?)`", r"<code>\1</code>", text)
+    text = MarkdownIt("js-default").render(markdown.replace("^2", "²"))
+    text = text.replace("<table>", '<div class="wide" tabindex="0"><table>')
+    return text.replace("</table>", "</table></div>")
 
 
 def page(template: str, table, caption, names: dict, sentences: dict) -> str:

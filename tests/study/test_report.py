@@ -63,17 +63,18 @@ def test_a_caption_without_a_title(tmp_path, text):
 
 
 def test_the_answer_is_html():
-    table = "|   | says  | holds |\n|:--|:------|:------|\n| 1 | O(h^2), always. | 2 (+1) of 7 |"
-    found = report.answer(f"**The answer.** K < H, with `a=b`.\n\n{table}\n| 2 | b | no |\n")
-    assert found.startswith("<p><strong>The answer.</strong> K &lt; H, with <code>a=b</code>.</p>")
-    rows = re.findall("<tr>(.*)</tr>", found)
-    assert rows[0] == "<th></th><th>says</th><th>holds</th>"
-    assert rows[1:] == [
-        "<td>1</td><td>O(h²), always.</td><td>2 (+1) of 7</td>",
-        "<td>2</td><td>b</td><td>no</td>",
+    table = "|   | says  | holds |\n|:--|:------|:------|\n| 1 | O(h^2) | 2 (+1) of 7 |"
+    found = report.answer(f"* **K** < H\n  by <b>`a=b`</b>.\n* So.\n\n{table}\n| 2 | b | no |\n")
+    assert found.startswith(
+        "<ul>\n<li><strong>K</strong> &lt; H\nby &lt;b&gt;<code>a=b</code>&lt;/b&gt;.</li>"
+    )
+    rows = re.findall("<tr>(.*?)</tr>", found, re.S)
+    assert [re.findall("<t[hd].*?>(.*?)</t[hd]>", row) for row in rows] == [
+        ["", "says", "holds"],
+        ["1", "O(h²)", "2 (+1) of 7"],
+        ["2", "b", "no"],
     ]
-    with pytest.raises(InputError, match=r"the row '1 \| a' has 2 cells, not 3"):
-        report.answer("| | a | b |\n|---|---|---|\n| 1 | a |")
+    assert re.search('<div class="wide" tabindex="0"><table>.*</table></div>', found, re.S)
 
 
 def shown_by(page):

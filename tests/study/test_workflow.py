@@ -98,7 +98,8 @@ def check_report(results):
         for row in (results / "tables/answer.md").open(encoding="utf-8")
         if row.startswith("|") and not row.startswith("|:")
     ]
-    rows = [re.findall("<t[hd]>(.*?)</t[hd]>", row) for row in re.findall("<tr>.*</tr>", start)]
+    rows = re.findall("<tr>(.*?)</tr>", start, re.S)
+    rows = [re.findall("<t[hd][^>]*>(.*?)</t[hd]>", row) for row in rows]
     assert [[html.unescape(cell) for cell in row] for row in rows] == answer
     assert len(rows) == 1 + len(pd.read_csv(results / "tables/claims-summary.csv"))
     for question in parts:
