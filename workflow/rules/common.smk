@@ -91,9 +91,11 @@ HOW_FAST = "5. How fast is it?"
 def caption(figure):
     """The caption file of a figure: its own or that of its kind, `error-K` for `error-K-cone`."""
     try:
-        return str(captions.found(figure, f"{workflow.basedir}/workflow/report"))
+        file = captions.found(figure, f"{workflow.basedir}/workflow/report")
+        captions.read(file)
     except InputError as error:
         sys.exit(f"error: {error}")
+    return str(file)
 
 
 # The labels of surfaces and estimators by the names that tables have for them.
