@@ -69,8 +69,3 @@ def _excerpt(path, where):
             rows = filter(lambda row, at=at, values=values: row[at] in values, rows)
         writer.writerows(rows)
     return found.getvalue()
-
-
-def caption(path) -> str:
-    """A caption file's text on one line."""
-    return " ".join(Path(path).read_text(encoding="utf-8").split())

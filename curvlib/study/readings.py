@@ -130,8 +130,8 @@ class _Brief:
         return f"{len(self)} entries, {digest}"
 
 
-class Rows(_Brief, list):
-    """Rows of a table."""
+class Rows(_Brief, tuple):
+    """Rows of a table; of a list Snakemake would make another."""
 
 
 class Named(_Brief, dict):

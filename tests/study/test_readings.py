@@ -73,7 +73,7 @@ def test_rows_say_what_each_reading_means(config):
     study = Study(config)
     rows = study.rows()
     of_all = {"kind": "named", "counted": "interior", "more": True}
-    assert rows[:2] == [
+    assert list(rows[:2]) == [
         {
             "reading": "default",
             "estimator": "gauss_bonnet",

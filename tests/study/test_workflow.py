@@ -1,11 +1,14 @@
 """Snakemake itself, on a copy of the checkout and a small study."""
 
+import html
+import json
 import os
 import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
+from urllib.parse import quote
 
 import pandas as pd
 import pytest
@@ -80,6 +83,50 @@ def replace(path, old, new):
     path.write_text(text.replace(old, new))
 
 
+def check_report(results):
+    """The report's start page has the answer of this run; every figure and table has its caption
+    and labels of its own; no parameter is long."""
+    report = (results / "report.html").read_text()
+
+    def part(name):
+        (found,) = re.findall(rf'<script id="{name}">\s*var \w+ = (.*);$', report, re.M)
+        return json.loads(found)
+
+    start, entries, parts = part("workflow-desc"), part("results"), part("categories")
+    answer = [
+        [cell.strip().replace("^2", "²") for cell in row.strip("|\n").split("|")]
+        for row in (results / "tables/answer.md").open(encoding="utf-8")
+        if row.startswith("|") and not row.startswith("|:")
+    ]
+    rows = re.findall("<tr>(.*?)</tr>", start, re.S)
+    rows = [re.findall("<t[hd][^>]*>(.*?)</t[hd]>", row) for row in rows]
+    assert [[html.unescape(cell) for cell in row] for row in rows] == answer
+    assert len(rows) == 1 + len(pd.read_csv(results / "tables/claims-summary.csv"))
+    for question in parts:
+        assert f"showCategory('{quote(question)}')\">{question}</a>" in start
+
+    for question, entry_paths in ((q, paths) for q, of in parts.items() for paths in of.values()):
+        shown = [tuple(entries[path]["labels"].values()) for path in entry_paths]
+        assert len(set(shown)) == len(shown), question
+    for path, entry in entries.items():
+        assert len(entry["caption"]) > 80, path
+        for name, value in re.findall(
+            r"(\w+)=(.*?)(?=, \w+=|$)", entry["job_properties"]["params"]
+        ):
+            assert len(value) <= 200, (path, name)
+    error = entries[f"{Path(*results.parts[-2:])}/figures/error-K-sphere.svg"]
+    assert list(error["labels"].values())[1:] == ["Gaussian curvature K", "Sphere"]
+    assert "Mean absolute error of the Gaussian curvature K" in error["caption"]
+    pages = {
+        Path(path).stem for path, entry in entries.items() if entry["mime_type"] == "text/html"
+    }
+    assert pages >= {"claims", "claims-summary", "readings"}
+    script = (ROOT / "workflow/report/report.js").read_text()
+    assert report.rstrip().endswith(f"<script>\n{script}</script>\n</body>\n\n</html>")
+    assert (ROOT / "workflow/report/report.css").read_text() in report
+    assert not re.search('(src|href)="https?:', start)
+
+
 def test_reruns_what_changed_and_nothing_else(study):
     first = rules(study("--cores", "1"))
     assert first["library"] == first["estimate"] == 2
@@ -95,10 +142,7 @@ def test_reruns_what_changed_and_nothing_else(study):
     assert rules(study("--dry-run", "figures", config="config/config.yaml")) == whole
 
     study("report")
-    report = (study.folder / "results/small/report.html").read_text()
-    for text in ("1. Does the paper hold?", "Mean absolute error of the Gaussian curvature K"):
-        assert text in report
-    assert "results/small/figures/claims.svg" in report
+    check_report(study.folder / "results/small")
 
     estimator = study.folder / "curvlib/estimators/paraboloid.py"
     replace(estimator, "a[k] + c[k]\n    if", "(a[k] + c[k])  # H\n    if")

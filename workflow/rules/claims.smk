@@ -14,9 +14,9 @@ rule claims:
         convergence=rules.accuracy.output.convergence,
         shapes=rules.shapes.output.shapes,
     output:
-        claims=study.results / "tables/claims.csv",
+        claims=tabled("claims"),
         guesses=tabled("guesses"),
-        agreement=study.results / "tables/agreement.csv",
+        agreement=tabled("agreement"),
         summary=tabled("claims-summary"),
         findings=study.results / "tables/findings.json",
         answer=study.results / "tables/answer.md",

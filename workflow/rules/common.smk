@@ -13,6 +13,7 @@ from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError
 from curvlib.dataset.library import mesh_files
 from curvlib.meshes.key import MeshKey
+from curvlib.study import captions
 from curvlib.study.digest import digest
 from curvlib.study.config import Study
 from curvlib.study.readings import PAPER_FIGURES, Named, Rows, error_figures, stem_of
@@ -48,8 +49,8 @@ def code(script, *files):
 
 
 # Files outside the package are known to the rules by their stems.
-SURFACES = {stem_of(name): name for name in study.surfaces}
-ESTIMATORS = {stem_of(name): name for name in study.estimators}
+SURFACES = Named({stem_of(name): name for name in study.surfaces})
+ESTIMATORS = Named({stem_of(name): name for name in study.estimators})
 MODULES = [*map(estimators.path, study.estimators), *map(surfaces.path, study.surfaces)]
 
 
@@ -89,24 +90,37 @@ HOW_FAST = "5. How fast is it?"
 
 def caption(figure):
     """The caption file of a figure: its own or that of its kind, `error-K` for `error-K-cone`."""
-    parts = figure.split("-")
-    kinds = ("-".join(parts[:n]) for n in range(len(parts), 0, -1))
-    files = [Path(workflow.basedir, f"workflow/report/{kind}.rst") for kind in kinds]
-    for file in files:
-        if file.exists():
-            return str(file)
-    sys.exit(f"error: figure {figure!r} has no caption: write {files[0]}")
+    try:
+        file = captions.found(figure, f"{workflow.basedir}/workflow/report")
+        captions.read(file)
+    except InputError as error:
+        sys.exit(f"error: {error}")
+    return str(file)
+
+
+# The labels of surfaces and estimators by the names that tables have for them.
+SURFACE_LABELS, ESTIMATOR_LABELS = (
+    captions.distinct({name: module.LABEL for name, module in modules.items()})
+    for modules in (surfaces.modules(SURFACES), estimators.modules(ESTIMATORS))
+)
 
 
 def reported(file, question, name):
-    """A file for the report: under a question, with its caption."""
-    shown = name.replace("-", " ").replace("_", " ")
-    return report(file, caption=caption(name), category=question, labels={"what": shown})
+    """A file for the report: under a question, with its caption and what that says it shows."""
+    text = caption(name)
+    return report(
+        file, caption=text, category=question, labels=captions.labels(name, text, SURFACE_LABELS)
+    )
+
+
+# The tables that the report shows, each with a caption `table-<name>`.
+TABLED = []
 
 
 def tabled(table):
-    """The file of a table that is short enough for the report."""
-    return reported(study.results / f"tables/{table}.csv", HOLDS, table)
+    """The file of a table that the report shows as a page."""
+    TABLED.append(table)
+    return study.results / f"tables/{table}.csv"
 
 
 def drawn(figures, question, kinds=("svg", "png")):

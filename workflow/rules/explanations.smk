@@ -6,7 +6,7 @@ rule explanations:
     input:
         errors=ERRORS,
     output:
-        explanations=study.results / "tables/explanations.csv",
+        explanations=tabled("explanations"),
         marginals=tabled("marginals"),
         readings=tabled("readings"),
     log:

@@ -31,7 +31,7 @@ for quantity in PAPER_FIGURES:
             "../envs/curvlib.yaml"
         params:
             quantity=quantity,
-            figures=error_figures(study, quantity),
+            figures=Named(error_figures(study, quantity)),
             folder=FIGURES,
             estimators=ESTIMATORS,
             surfaces=SURFACES,
@@ -57,7 +57,7 @@ rule claim_plots:
         quantities=list(PAPER_FIGURES),
         diagonal=study.diagonals[0],
         n=study.resolutions[-1],
-        rings=study.ring_curves(),
+        rings=Rows(study.ring_curves()),
         folder=FIGURES,
         estimators=ESTIMATORS,
         surfaces=SURFACES,

@@ -4,7 +4,9 @@
 from curvlib.claims.cell import NINE, SEVEN
 
 ARTICLE = Path(workflow.basedir, "paper/paper.typ")
-CAPTIONS = {figure: caption(figure) for figure in [*PICTURES, *ERROR_FIGURES, *CLAIM_FIGURES]}
+CAPTIONS = Named(
+    {figure: caption(figure) for figure in [*PICTURES, *ERROR_FIGURES, *CLAIM_FIGURES]}
+)
 
 
 rule paper:
@@ -29,12 +31,14 @@ rule paper:
         captions=CAPTIONS,
         estimators=ESTIMATORS,
         surfaces=SURFACES,
-        quoted={
-            "surfaces": SEVEN,
-            "estimators": NINE,
-            "resolutions": study.resolutions,
-            "cuts": list(dict.fromkeys(diagonal for diagonal, _ in CUTS)),
-        },
+        quoted=Named(
+            {
+                "surfaces": SEVEN,
+                "estimators": NINE,
+                "resolutions": study.resolutions,
+                "cuts": list(dict.fromkeys(diagonal for diagonal, _ in CUTS)),
+            }
+        ),
         code=code("paper", *MODULES),
     script:
         "../scripts/paper.py"

@@ -12,8 +12,8 @@ RENDERER = os.environ.get("CURVLIB_RENDERER", "")
 
 # Round enough to the eye.
 ROUND = min((n for diagonal, n in CUTS if diagonal == GRID), key=lambda n: abs(n - 64))
-SEEN = [MeshKey(s, GRID, ROUND) for s in IN_ORDER]
-TESSELLATIONS = [MeshKey(LOOKED_AT, GRID, n) for n in study.resolutions]
+SEEN = Rows(MeshKey(s, GRID, ROUND) for s in IN_ORDER)
+TESSELLATIONS = Rows(MeshKey(LOOKED_AT, GRID, n) for n in study.resolutions)
 
 PICTURES = [
     "figure-1",
@@ -40,8 +40,8 @@ rule pictures:
         renderer=RENDERER,
         quantities=list(PAPER_FIGURES),
         surfaces=SURFACES,
-        numbers={s: number for number, s in enumerate(dict.fromkeys([*SEVEN, *IN_ORDER]), 1)},
-        paper=SEEN[: len(chosen(SURFACES))],
+        numbers=Named({s: number for number, s in enumerate(dict.fromkeys([*SEVEN, *IN_ORDER]), 1)}),
+        paper=Rows(SEEN[: len(chosen(SURFACES))]),
         all=SEEN,
         tessellations=TESSELLATIONS,
         code=code("pictures", *map(surfaces.path, study.surfaces)),

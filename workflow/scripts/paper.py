@@ -1,7 +1,7 @@
 """Typeset the article from the results of this run."""
 
 from curvlib.catalogue import estimators, surfaces
-from curvlib.study import article
+from curvlib.study import article, captions
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
@@ -12,7 +12,7 @@ with logged(snakemake.log[0]):
         snakemake.output[0],
         params.results,
         labels={name: module.LABEL for name, module in modules.items()},
-        captions={figure: article.caption(file) for figure, file in params.captions.items()},
+        captions={figure: captions.read(file).text for figure, file in params.captions.items()},
         citation=snakemake.input.citation,
         excerpts=article.excerpts(f"{params.results}/tables", article.EXCERPTS),
         **params.quoted,
