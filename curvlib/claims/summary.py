@@ -73,7 +73,8 @@ def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:
         row["turned_over_by"] = ", ".join(changes.index[changes != here["default"]])
         row["turned_over_on"] = ", ".join(there.index[there != here["default"]])
         rows.append(row)
-    return pd.DataFrame(rows)
+    # Counts stay integers where a claim lacks some.
+    return pd.DataFrame(rows).convert_dtypes()
 
 
 def _counts(cells, column):

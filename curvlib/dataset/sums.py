@@ -1,9 +1,10 @@
 """Checksums beside the meshes of a surface, by which a changed mesh is found."""
 
+import hashlib
 from pathlib import Path
 
 from curvlib.errors import InputError
-from curvlib.files import whole_file
+from curvlib.files import open_archive, whole_file
 
 from .archive import SUMS, file_hash, parse_sums, sums_text
 
@@ -31,3 +32,21 @@ def check_unchanged(path) -> None:
             f"{path}: changed since it was made, or open for writing in another process; close it "
             "there, or delete it and run again to make it"
         )
+
+
+def library_digest(path, files) -> str:
+    """SHA-256 of the listed hashes of these files of a library, a folder or an archive of it: the
+    same for both, and without reading the files."""
+    path = Path(path)
+    if path.is_dir():
+        folders = sorted({Path(file).parent for file in files})
+        listed = {
+            f"{folder}/{name}": digest
+            for folder in folders
+            for name, digest in parse_sums((path / folder / SUMS).read_text("utf-8")).items()
+        }
+    else:
+        with open_archive(path) as archive:
+            listed = parse_sums(archive.read(f"{path.stem}/{SUMS}").decode())
+    text = sums_text({file: listed[file] for file in sorted(map(str, files))})
+    return hashlib.sha256(text.encode()).hexdigest()

@@ -16,6 +16,7 @@ rule paper:
         rules.claims.output,
         rules.figures.input,
         NOISE,
+        LIBRARY,
         [file for kind in ("typ", "bib") for file in sorted(ARTICLE.parent.glob(f"*.{kind}"))],
         sorted(set(CAPTIONS.values())),
         citation=f"{workflow.basedir}/CITATION.cff",
@@ -28,6 +29,8 @@ rule paper:
     params:
         article=ARTICLE,
         results=study.results,
+        library=study.library,
+        meshes=Rows(mesh_files(*mesh)[0] for mesh in MESHES),
         captions=CAPTIONS,
         estimators=ESTIMATORS,
         surfaces=SURFACES,

@@ -1,6 +1,7 @@
 """Typeset the article from the results of this run."""
 
 from curvlib.catalogue import estimators, surfaces
+from curvlib.dataset.sums import library_digest
 from curvlib.study import article, captions
 from curvlib.study.job import logged
 
@@ -14,6 +15,7 @@ with logged(snakemake.log[0]):
         labels={name: module.LABEL for name, module in modules.items()},
         captions={figure: captions.read(file).text for figure, file in params.captions.items()},
         citation=snakemake.input.citation,
+        meshes=library_digest(params.library, params.meshes),
         excerpts=article.excerpts(f"{params.results}/tables", article.EXCERPTS),
         **params.quoted,
     )
