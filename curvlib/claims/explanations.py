@@ -97,8 +97,8 @@ def search(explanations) -> dict:
     """What the search found: `options` of the best explanation, `joint`: how many readings it was
     chosen from, its `departures` and `score`, how many others have the same score (`equal`), the
     whole `prices` of a departure, 0 to 5, at which it is the best, and its `neighbours`: with one
-    option changed (`dihedral=signed`) the number of surfaces by claim of RANKING at the finest n.
-    {} without one."""
+    option changed (`dihedral=signed`) the number of surfaces by claim of RANKING at the finest n;
+    `fine`: FINE. {} without one."""
     options = best(explanations)
     if not options:
         return {}
@@ -110,7 +110,7 @@ def search(explanations) -> dict:
     for option, changed in zip(options, other.T):
         for value, rows in ranking[changed & (other.sum(1) == 1)].groupby(option, sort=False):
             found = rows.set_index("claim").at_finest
-            neighbours[f"{option}={value}"] = {str(n): int(found[n]) for n in RANKING}
+            neighbours[f"{option}={value}"] = {f"claim_{n}": int(found[n]) for n in RANKING}
     return {
         "options": options,
         "joint": len(one),
@@ -119,6 +119,7 @@ def search(explanations) -> dict:
         "equal": int((one.score == winner.score).sum()) - 1,
         "prices": [price for price in range(6) if best(explanations, price) == options],
         "neighbours": neighbours,
+        "fine": FINE,
     }
 
 

@@ -176,6 +176,7 @@ TABLES = {
 surface,diagonal,n,estimator,reading,quantity,norm,value
 sphere,same,8,taubin,default,K,mean,0.5
 sphere,same,8,watanabe,default,K,mean,0.00123
+sphere,same,8,taubin,default,K,median,0.25
 sphere,same,8,taubin,default,K,max,7""",
     "tables/convergence.csv": """
 surface,diagonal,estimator,reading,quantity,tail,verdict,finest
@@ -185,7 +186,8 @@ sphere,random-2,taubin,default,K,0.1,stagnates,8
 sphere,same,watanabe,default,K,,exact,16""",
     "tables/ranks.csv": """
 surface,diagonal,n,reading,quantity,estimator,rank
-sphere,same,8,default,K,taubin,2""",
+sphere,same,8,default,K,taubin,2
+sphere,same,8,best-explanation,K,taubin,5""",
     "tables/readings.csv": """
 reading,estimator,variant
 default,taubin,-""",
@@ -193,19 +195,32 @@ default,taubin,-""",
 valence,ring,quantity,estimator,variant,slope
 6,regular,K,taubin,-,-2.01""",
     "tables/claims-summary.csv": """
-claim,sentence,of,default_true,default_undecided,default_stands,likely-run_true,likely-run_undecided
-1,Always best.,7,2,3,False,4,0
-2,Never best.,7,5,0,True,7,0""",
+claim,sentence,of,default_true,default_degenerate,default_undecided,default_stands,best_true
+1,Always best.,7,2,2,3,False,
+2,Never best.,7,5,0,0,True,
+7,Similar.,1,0,0,1,False,""",
     "tables/claims.csv": """
-claim,surface,diagonal,reading,holds
-1,sphere,same,default,true
-1,sphere,random-1,default,false
-1,sphere,same,other,true
-1,quadric,same,default,true
-2,sphere,same,default,undecided""",
-    "trials/noise-taubin.csv": """
-surface,variant,quantity,sigma,value
-sphere,-,K,0.01,0.25""",
+claim,surface,diagonal,reading,meshes,holds,from_n,effect
+1,sphere,same,default,paper,true,8,0.5
+1,sphere,same,default,refined,false,,2.0
+1,sphere,same,best-explanation,paper,undecided,24,0.9
+2,sphere,same,default,paper,degenerate,,""",
+    "tables/noise.csv": """
+estimator,surface,n,variant,quantity,sigma,value,response
+taubin,sphere,8,-,K,0.0,0.2,0.0
+taubin,sphere,8,-,K,0.01,0.25,0.125
+taubin,sphere,16,-,K,0.01,0.75,0.5""",
+    "tables/marginals.csv": """
+option,value,claim,mean,most
+dihedral,signed,2,0.5,3""",
+    "tables/agreement.csv": """
+reading,quantity,surface,other,tau
+default,K,sphere,cone,0.5""",
+    "tables/guesses.csv": """
+reading,family,triangles,shapes,claim_1,claim_1_degenerate,claim_2,claim_6,gauss_bonnet_H
+default,all,short,12,7,0,3,1,1.75""",
+    "tables/findings.json": """
+{"ranking": "K is well.", "search": {"joint": 405}, "decided_by_ties": []}""",
 }
 
 
@@ -226,6 +241,7 @@ def shown(tmp_path):
         "resolutions": [8],
         "cuts": ["same", "random-1", "random-2"],
         "captions": {},
+        "meshes": "0123",
         "citation": str(ROOT / "CITATION.cff"),
     }
 
@@ -252,15 +268,30 @@ def shown(tmp_path):
         ('converging("K", "taubin")', 1),
         ('converging("K", "taubin", kind: "random")', 0),
         ('reach("same")', 16),
-        ("true-on(1)", ["sphere"]),
-        ("true-on(2)", []),
-        ("true-cells(1)", {"yes": 2, "all": 3}),
-        ('true-cells(1, diagonal: "random-1")', {"yes": 0, "all": 1}),
+        ('with-verdict(1, "true")', ["sphere"]),
+        ('with-verdict(2, "degenerate")', ["sphere"]),
+        ("at-finest(1)", ["sphere"]),
+        ('at-finest(1, reading: "best-explanation")', ["sphere"]),
+        ("at-finest(2)", []),
+        ('effect(1, "sphere")', 0.5),
+        ('effect(1, "sphere", reading: "best-explanation")', 0.9),
+        ('error("sphere", "K", "taubin", norm: "median")', 0.25),
         ('rank("sphere", "K", "taubin")', 2),
+        ('mean-rank("K", "taubin", reading: "best-explanation")', 5),
+        ('marginal("dihedral", "signed", 2)', 0.5),
+        ('most("dihedral", "signed", 2)', 3),
+        ('guess("claim_2", "default", triangles: "short")', 3),
+        ("search.joint", 405),
         ('best("sphere", "K")', "watanabe"),
         ('ring-slope("K", "taubin", 6, "regular")', -2.01),
         ('noise("sphere", "K", "taubin", 0.01)', 0.25),
-        ("counted(1)", {"yes": 2, "open": 3, "all": 7}),
+        ('noise("sphere", "K", "taubin", 0.01, n: 16)', 0.75),
+        ('noise("sphere", "K", "taubin", 0.01, value: "response")', 0.125),
+        ("counted(1)", {"yes": 2, "open": 3, "degenerate": 2, "of": 5}),
+        ('outcome(1, "default")', "2 (+3) of 5"),
+        ('outcome(2, "default")', "5 of 7"),
+        ('outcome(7, "default")', "undecided"),
+        ('plain(outcome(1, "best"))', "\N{EN DASH}"),
         ("stands(1)", False),
         ("stands(2)", True),
         ('name-of("taubin")', "Taubin"),
@@ -275,6 +306,9 @@ def shown(tmp_path):
         ("percent(1, 300)", "< 1 %"),
         ("percent(0, 300)", "0 %"),
         ("spelt(3)", "three"),
+        ("spelt(12)", "twelve"),
+        ("ordinal(2)", "2nd"),
+        ("ordinal(4)", "4th"),
     ],
 )
 def test_look_ups(shown, expression, value):
@@ -299,7 +333,9 @@ def test_a_power_of_ten(shown):
         ('rank("sphere", "K", "watanabe")', "rank sphere/8/K/watanabe"),
         ("claim(3)", "claim 3"),
         ('name-of("watanabe")', "label of watanabe"),
-        ('noise("cone", "K", "taubin", 0.01)', "noise trial of taubin on cone"),
+        ('noise("cone", "K", "taubin", 0.01)', "noise trial cone/8/K/taubin/-/0.01"),
+        ('effect(2, "sphere")', "effect of claim 2/sphere/default"),
+        ('guess("claim_2", "other")', "claim_2 on random shapes other/all/all"),
         ('ring-slope("H", "taubin", 6, "regular")', "slope on rings 6/regular/H/taubin/-"),
         ("given(stands(1))[It is best.]", "do not bear out: It is best."),
     ],
