@@ -98,7 +98,8 @@ def search(explanations) -> dict:
     chosen from, its `departures` and `score`, how many others have the same score (`equal`), the
     whole `prices` of a departure, 0 to 5, at which it is the best, and its `neighbours`: with one
     option changed (`dihedral=signed`) the number of surfaces by claim of RANKING at the finest n;
-    `fine`: FINE. {} without one."""
+    `always`: the largest number of surfaces by claim of RANKING on which any of them makes it true
+    at every n; `fine`: FINE. {} without one."""
     options = best(explanations)
     if not options:
         return {}
@@ -119,6 +120,9 @@ def search(explanations) -> dict:
         "equal": int((one.score == winner.score).sum()) - 1,
         "prices": [price for price in range(6) if best(explanations, price) == options],
         "neighbours": neighbours,
+        "always": {
+            f"claim_{n}": int(most) for n, most in ranking.groupby("claim").always.max().items()
+        },
         "fine": FINE,
     }
 

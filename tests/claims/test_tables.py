@@ -180,6 +180,7 @@ def test_the_best_explanation_is_searched():
     assert (told["joint"], told["departures"], told["score"]) == (2, 1, 62)
     assert (told["equal"], told["prices"]) == (0, [0, 1, 2, 3, 4, 5])
     assert told["neighbours"] == {"dihedral=signed": {"claim_1": 7, "claim_2": 0, "claim_6": 7}}
+    assert told["always"] == {"claim_1": 7, "claim_2": 7, "claim_6": 7}
     named = with_best(readings, explanations)
     of_gauss_bonnet = named[(named.reading == BEST) & (named.estimator == "gauss_bonnet")]
     assert of_gauss_bonnet[["kind", "variant", "more"]].to_numpy().tolist() == [
