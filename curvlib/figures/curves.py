@@ -6,7 +6,9 @@ from matplotlib.ticker import NullFormatter
 
 from curvlib.comparison.quantities import QUANTITIES
 
-from .style import in_style
+from .style import SMALL, TEXT_WIDTH, in_lines, in_style
+
+CURVE = {"markersize": 4, "linewidth": 1.1}
 
 
 @in_style
@@ -23,17 +25,17 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
     visible = points.value[points.value > level]
     floor = visible.min() / 1.5 if len(visible) else level
     exact = set(curves.estimator[curves.verdict == "exact"])
-    figure = Figure(figsize=(6.3, 3.9))
+    figure = Figure(figsize=(4.5, 2.7))
     # Fixed axes: matplotlib's layout engines take longer than the drawing.
-    axes = figure.add_axes((0.11, 0.12, 0.58, 0.8), xscale="log", yscale="log")
+    axes = figure.add_axes((0.15, 0.16, 0.49, 0.75), xscale="log", yscale="log")
     for name, curve in points.groupby("estimator"):
         module = modules[name]
         label = module.LABEL + (" (exact)" if name in exact else "")
         curve = curve.sort_values("triangles")
         x, y = _broken(curve.triangles, curve.value, (curve.value <= level).to_numpy(), floor)
-        axes.plot(x, y, label=label, clip_on=False, markersize=5, **module.STYLE)
+        axes.plot(x, y, label=label, clip_on=False, **CURVE | module.STYLE)
     triangles = np.sort(points.triangles.unique())
-    axes.set_xticks(triangles, _apart(triangles))
+    axes.set_xticks(triangles, _apart(triangles), fontsize=SMALL)
     axes.set_xticks([], minor=True)
     axes.set_ylim(floor, axes.get_ylim()[1])
     _guide(axes, triangles)
@@ -54,23 +56,24 @@ def _broken(x, y, low, floor):
 
 
 def _guide(axes, triangles):
-    """A thin line with the slope of O(h²)."""
+    """A thin line with the slope of O(h²), named in the legend, where no curve crosses the name."""
     ends = np.array([triangles[0], triangles[-1]]) * 1.0
     bottom, top = axes.get_ylim()
     start = bottom**0.6 * top**0.4
-    axes.plot(ends, start * ends[0] / ends, color="0.6", linewidth=0.8, zorder=1, label="_guide")
-    axes.annotate("O(h²)", (ends[0], start), (3, 3), textcoords="offset points", fontsize=7)
+    axes.plot(ends, start * ends[0] / ends, color="0.6", linewidth=0.8, zorder=1, label="O(h²)")
 
 
 def _apart(values):
-    """Labels of rising values on a logarithmic axis, empty where they would overlap the next."""
-    step = np.log(values[-1] / values[0]) / 12
-    labels, above = [], np.inf
-    for value in values[::-1]:
-        far = np.log(above / value) >= step
-        labels.append(str(value) if far else "")
-        above = value if far else above
-    return labels[::-1]
+    """Labels of rising values on a logarithmic axis: of the ends, and from the top of those that do
+    not overlap another."""
+    place = np.log(values)
+    digit = (place[-1] - place[0]) / 32  # its width on the axis
+    half = digit * (np.char.str_len(values.astype(str)) + 1) / 2
+    labelled = [0, len(values) - 1]
+    for i in range(len(values) - 2, 0, -1):
+        if (np.abs(place[i] - place[labelled]) >= half[i] + half[labelled]).all():
+            labelled.append(i)
+    return [str(value) if i in labelled else "" for i, value in enumerate(values)]
 
 
 def _shown(table, surfaces, quantity):
@@ -83,29 +86,31 @@ def _shown(table, surfaces, quantity):
 def rank_plot(ranks, quantity: str, surfaces, modules, n: int) -> Figure:
     """Rank of each estimator on each surface by mean error at resolution `n`, default reading;
     tied estimators stand side by side."""
-    shown = ranks[_shown(ranks, surfaces, quantity) & (ranks.n == n)]
-    figure = Figure(figsize=(7.2, 3.8))
-    axes = figure.add_axes((0.07, 0.19, 0.71, 0.72))
+    shown = ranks[_shown(ranks, surfaces, quantity) & (ranks.n == n) & ranks["rank"].notna()]
+    figure = Figure(figsize=(TEXT_WIDTH, 3.1))
+    axes = figure.add_axes((0.075, 0.14, 0.7, 0.77))
     for name, own in shown.groupby("estimator"):
         rank = own.set_index("surface")["rank"]
         x, y = [], []
         for i, surface in enumerate(surfaces):
             if surface not in rank:
-                continue  # no estimate there
+                continue  # no rank there
             tied = shown[(shown.surface == surface) & (shown["rank"] == rank[surface])]
             beside = sorted(tied.estimator).index(name) - (len(tied) - 1) / 2
             x.append(i + 0.16 * beside)
             y.append(rank[surface])
-        style = modules[name].STYLE | {"markersize": 7}
+        style = modules[name].STYLE | {"markersize": 6}
         (marks,) = axes.plot(x, y, label=modules[name].LABEL, **style | {"linestyle": "none"})
         # The thin line only guides the eye from mark to mark.
         axes.plot(x, y, color=marks.get_color(), linewidth=0.5, alpha=0.5, zorder=1)
     axes.invert_yaxis()
-    axes.set_yticks(range(1, shown["rank"].max() + 1) if len(shown) else [])
-    labels = [modules[surface].LABEL for surface in surfaces]
-    angle = {"rotation": 20, "ha": "right", "rotation_mode": "anchor", "fontsize": 8}
-    axes.set_xticks(range(len(surfaces)), labels, **angle)
+    ticks = range(1, int(shown["rank"].max()) + 1) if len(shown) else []
+    axes.set_yticks(ticks, ticks, fontsize=8)
+    labels = [in_lines(modules[surface].LABEL, 10) for surface in surfaces]
+    axes.set_xticks(range(len(surfaces)), labels, fontsize=SMALL)
+    axes.set_xlim(-0.4, len(surfaces) - 0.6)
     axes.set_ylabel(f"rank by mean error of {QUANTITIES[quantity].symbol}")
     axes.set_title(f"Ranks for {QUANTITIES[quantity].label} at n = {n}", loc="left")
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8)
+    if len(shown):
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     return figure

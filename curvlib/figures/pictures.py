@@ -15,10 +15,9 @@ from matplotlib.patches import Patch, Rectangle
 from curvlib.comparison.norms import ROUNDING, largest_curvature, rounding_level
 from curvlib.comparison.quantities import QUANTITIES, difference
 
-from .style import DPI, in_style
+from .style import DPI, PIXELS, SMALL, WITH_EXPONENTS, in_lines, in_style
 from .views import View, edges, iso_lines
 
-PAGE = 1400  # pixels
 GAP = 24  # pixels around an image
 
 # RdYlBu puts zero at pale yellow, which differs from the white page and from NEUTRAL also for
@@ -63,7 +62,7 @@ def curvature_map(meshes, quantity: str, modules, draw) -> Figure:
     Scales are linear up to the area-weighted median of the absolute values, then logarithmic up to
     their quantile COVERED.
     """
-    plate = _Plate(len(meshes), below=130, foot=80)
+    plate = _Plate(len(meshes), below=120, foot=90, columns=(5, 4))
     for ((surface, *_), mesh), panel in zip(meshes.items(), plate.panels):
         values = getattr(mesh, quantity)
         norm = _around_zero(values, mesh, rounding_level(quantity, largest_curvature(mesh)))
@@ -75,11 +74,12 @@ def curvature_map(meshes, quantity: str, modules, draw) -> Figure:
         elif np.isfinite(values).any():
             panel.text(0.5, -52 / panel.size[1], f"{quantity} = 0", ha="center")
     _, name, unit, *_ = QUANTITIES[quantity]
-    plate.words(
-        f"Exact {name} in {unit}. Each scale is linear up to the median of "
-        f"|{quantity}| over the area\nand logarithmic from there; {COVERED:.0%} of the area lies "
-        "within, the rest beyond the arrows."
+    words = (
+        f"Exact {name} in {unit}. Each scale is linear up to the median of |{quantity}| over the "
+        f"area and logarithmic from there; {COVERED:.0%} of the area lies within, the rest beyond "
+        "the arrows."
     )
+    plate.words(in_lines(words, 85))
     if any(np.isnan(getattr(mesh, quantity)).any() for mesh in meshes.values()):
         plate.neutral("no exact value")
     return plate.figure
@@ -102,7 +102,7 @@ def error_map(mesh, estimates, quantity: str, surface, modules, draw) -> Figure:
     every = np.concatenate([[], *errors.values()])
     norm = _logarithmic(every)
     part = getattr(surface, "CLOSE_UP", None)
-    plate = _Plate(len(errors), below=50, foot=110, shape=0.52 if part else 1.0)
+    plate = _Plate(len(errors), below=50, foot=135, shape=0.52 if part else 1.0)
     for (name, values), panel in zip(errors.items(), plate.panels):
         colours = _colours(values, norm, SEQUENTIAL)
         for half, shown in zip(panel.halves() if part else [panel], (None, part)):
@@ -148,21 +148,22 @@ def _logarithmic(values):
 
 class _Plate:
     """A figure of panels in rows: `below` pixels for text under each image, `foot` pixels for the
-    common legend; `shape` is the height of an image over its width."""
+    common legend; `shape` is the height of an image over its width; `columns`: how many there may
+    be, the number that leaves the fewest places empty."""
 
-    def __init__(self, count, below, foot=0, shape=1.0):
-        columns = min((4, 3), key=lambda c: -count % c)
-        rows, cell = -(-count // columns), PAGE // columns
+    def __init__(self, count, below, foot=0, shape=1.0, columns=(4, 3)):
+        columns = min(columns, key=lambda c: -count % c)
+        rows, cell = -(-count // columns), PIXELS // columns
         width, height = cell - GAP, round((cell - GAP) * shape)
         step = height + below + GAP
         top = foot + rows * step
-        self.figure = Figure(figsize=(PAGE / DPI, top / DPI), dpi=DPI)
-        self.foot = _Panel(self.figure, GAP, 0, (PAGE - 2 * GAP, foot))
+        self.figure = Figure(figsize=(PIXELS / DPI, top / DPI), dpi=DPI)
+        self.foot = _Panel(self.figure, GAP, 0, (PIXELS - 2 * GAP, foot))
         self.panels = []
         for k in range(count):
             row, column = divmod(k, columns)
             in_row = min(columns, count - row * columns)
-            left = (PAGE - in_row * cell + GAP) // 2 + column * cell
+            left = (PIXELS - in_row * cell + GAP) // 2 + column * cell
             bottom = top - (row + 1) * step + below
             self.panels.append(_Panel(self.figure, left, bottom, (width, height)))
 
@@ -172,12 +173,12 @@ class _Plate:
     def scale(self, norm, colormap, values, label):
         width, height = self.foot.size
         axes = self.foot.axes(width // 4, height - 30, width // 2, 20)
-        _bar(axes, norm, colormap, values).set_label(label, fontsize=8)
+        _bar(axes, norm, colormap, values).set_label(label, fontsize=WITH_EXPONENTS)
 
     def neutral(self, label):
         """A legend entry for NEUTRAL, the colour of undefined values."""
         handles = [Patch(color=NEUTRAL, label=label)]
-        self.foot.axes(0, 0, *self.foot.size).legend(handles=handles, loc="right", fontsize=8)
+        self.foot.axes(0, 0, *self.foot.size).legend(handles=handles, loc="right")
 
 
 class _Panel:
@@ -194,7 +195,7 @@ class _Panel:
 
     def axes(self, left, bottom, width, height):
         """Invisible axes, placed relative to the lower left corner."""
-        whole = np.array([PAGE, self.figure.bbox.height] * 2)
+        whole = np.array([PIXELS, self.figure.bbox.height] * 2)
         place = np.array([self.left + left, self.bottom + bottom, width, height])
         axes = self.figure.add_axes(place / whole)
         axes.axis("off")
@@ -211,14 +212,16 @@ class _Panel:
         self.text(0.5, -22 / self.size[1], text, ha="center")
 
     def text(self, x, y, text, ha):
-        self.axes(0, 0, *self.size).text(x, y, text, ha=ha, va="center", fontsize=8)
+        self.axes(0, 0, *self.size).text(x, y, text, ha=ha, va="center", fontsize=7.5)
 
     def scale(self, norm, colormap, values):
         width = self.size[0]
-        bar = _bar(self.axes(width // 8, -62, 3 * width // 4, 14), norm, colormap, values)
+        bar = _bar(self.axes(width // 20, -62, 9 * width // 10, 14), norm, colormap, values)
+        bar.ax.tick_params(labelsize=SMALL)
         middle = float(f"{norm.inverse(0.75):.1g}")
         ticks = [norm.vmin, -middle, 0, middle, norm.vmax]
         labels = [f"{float(f'{t:.2g}'):g}".replace("-", "\N{MINUS SIGN}") for t in ticks]
+        labels[1] = ""  # the scale is symmetric, and the place small
         bar.set_ticks(ticks, labels=labels)
         bar.minorticks_off()
 
@@ -232,5 +235,5 @@ def _bar(axes, norm, colormap, values):
     shown = ScalarMappable(norm, colormap)
     bar = axes.figure.colorbar(shown, axes, orientation="horizontal", extend=extend)
     bar.outline.set_visible(False)
-    axes.tick_params(labelsize=7, length=2, which="both")
+    axes.tick_params(length=2, which="both")
     return bar

@@ -3,12 +3,13 @@
 import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 from matplotlib.transforms import ScaledTranslation
 from scipy.optimize import isotonic_regression
 
 from curvlib.comparison.quantities import QUANTITIES, difference
 
-from .style import in_style
+from .style import SMALL, TEXT_WIDTH, WITH_EXPONENTS, in_style
 
 ABSENT = "not in this study"
 
@@ -21,12 +22,12 @@ def rings_plot(rings, slopes, variants, quantity: str) -> Figure:
     the upper row, irregular ones in the lower.
     """
     if not variants:
-        figure = Figure(figsize=(7, 1))
+        figure = Figure(figsize=(TEXT_WIDTH, 1))
         figure.text(0.5, 0.5, ABSENT, ha="center", va="center")
         return figure
-    figure = Figure(figsize=(7, 5.2))
+    figure = Figure(figsize=(TEXT_WIDTH, 4.4))
     panels = figure.subplots(2, len(variants), sharex=True, sharey=True, squeeze=False)
-    figure.subplots_adjust(left=0.115, right=0.915, bottom=0.1, top=0.95, wspace=0.45, hspace=0.1)
+    figure.subplots_adjust(left=0.125, right=0.905, bottom=0.12, top=0.945, wspace=0.5, hspace=0.1)
     valences = sorted(rings.valence.unique())
     # The dark part of the colormap, legible as text.
     shades = matplotlib.colormaps["plasma"](np.linspace(0, 0.62, len(valences)))
@@ -40,17 +41,18 @@ def rings_plot(rings, slopes, variants, quantity: str) -> Figure:
             orders = -orders.set_index("valence").slope
             for valence, shade in zip(valences, shades):
                 curve = curves[curves.valence == valence].sort_values("h", ascending=False)
-                axes.loglog(curve.h, curve.value, color=shade, linewidth=1.1)
+                axes.loglog(curve.h, curve.value, color=shade, linewidth=1.0)
                 axes.lines[-1].set_label(f"{valence}: {orders.get(valence, np.nan):z.1f}")
-            axes.set_title(label if kind == "regular" else "", loc="left", fontsize=8.5)
-            axes.tick_params(labelsize=7.5)
+            axes.set_title(label if kind == "regular" else "", loc="left", fontsize=8)
             axes.grid(True, which="major", color="0.92", linewidth=0.6)
-        row[0].set_ylabel(f"{kind} rings", fontsize=8.5)
+        row[0].set_ylabel(f"{kind} rings", fontsize=8)
     # h falls to the right, so that refinement runs as in the error plots.
     panels[0][0].invert_xaxis()
     for axes in panels.flat:
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_minor_formatter(NullFormatter())
         _label_ends(axes, "valence: p")
-    style = {"fontsize": 8.5, "ha": "center", "va": "center"}
+    style = {"fontsize": WITH_EXPONENTS, "ha": "center", "va": "center"}
     figure.text(0.5, 0.022, "ring size h (length); the error falls like O($h^p$)", **style)
     error = f"mean of {difference(quantity, quantity)} ({QUANTITIES[quantity].unit})"
     figure.text(0.017, 0.525, error, rotation=90, **style)
@@ -69,10 +71,10 @@ def _label_ends(axes, heading, step=0.075):
     apart = step * np.arange(len(lines))
     heights = isotonic_regression(ends[order, 1] - apart).x.clip(0.02, 0.88 - apart[-1]) + apart
     beside = axes.transAxes + ScaledTranslation(9 / 72, 0, axes.figure.dpi_scale_trans)
-    style = {"textcoords": beside, "va": "center", "fontsize": 7.5}
+    style = {"textcoords": beside, "va": "center", "fontsize": SMALL}
     leader = {"arrowstyle": "-", "relpos": (0, 0.5), "shrinkA": 0, "shrinkB": 0, "linewidth": 0.5}
     for k, height in zip(order, heights):
         colour = {"color": lines[k].get_color()}
         ahead = {"xy": ends[k], "xycoords": "axes fraction", "arrowprops": leader | colour}
         axes.annotate(lines[k].get_label(), xytext=(1, height), **ahead, **style, **colour)
-    axes.text(0.98, 0.97, heading, transform=axes.transAxes, va="center", fontsize=7.5)
+    axes.text(0.98, 0.97, heading, transform=axes.transAxes, va="center", fontsize=SMALL)

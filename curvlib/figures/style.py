@@ -7,18 +7,31 @@ import matplotlib
 
 from curvlib.files import whole_file
 
+# Figures have the size at which the article shows them, so that their points are points in print.
+TEXT_WIDTH = 6.3  # inches: 160 mm, the width of the article's text
+PIXELS = 1400  # across the text
+DPI = PIXELS / TEXT_WIDTH
+# Points: of the smallest text, and of text with exponents, which are set at 70 %: 6.5 points.
+SMALL, WITH_EXPONENTS = 7, 9.3
+
 # A decorator of drawing functions, whose settings end with the call.
 in_style = matplotlib.rc_context(
     {
         "svg.hashsalt": "curvlib",  # a fixed salt for the ids of SVG elements, random by default
-        "font.size": 9,
+        "font.size": 8,
+        "axes.titlesize": 8.5,
+        "xtick.labelsize": WITH_EXPONENTS,
+        "ytick.labelsize": WITH_EXPONENTS,
+        "hatch.linewidth": 0.5,
         "axes.spines.top": False,
         "axes.spines.right": False,
         "legend.frameon": False,
+        "legend.fontsize": 7.5,
     }
 )
 
-DPI = 200
+# Fills a place where there is nothing to rank.
+NO_RANK = {"facecolor": "white", "edgecolor": "0.72", "hatch": "//////", "linewidth": 0}
 
 
 @in_style

@@ -1,40 +1,83 @@
-"""The claims by surface: yes, no or undecided."""
+"""The verdicts on the claims, by surface."""
 
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
+from matplotlib.patches import Patch, Rectangle
 
-from .style import in_lines, in_style
+from .style import NO_RANK, SMALL, in_lines, in_style
 
-# These colours differ in lightness too.
-VERDICTS = {"true": "#0072B2", "degenerate": "#E5E5E5", "undecided": "#999999", "false": "#D55E00"}
+# Fill and ink of a cell; the fills differ in lightness too.
+CELLS = {
+    "true": ({"facecolor": "#0072B2", "edgecolor": "none"}, "white"),
+    "from some n on": ({"facecolor": "#A9D3EC", "edgecolor": "none"}, "black"),
+    "undecided": ({"facecolor": "#D5D5D5", "edgecolor": "none"}, "black"),
+    "false": ({"facecolor": "#C04F00", "edgecolor": "none"}, "white"),
+    "degenerate": (NO_RANK, "black"),
+}
+LEGEND = {
+    "true": "yes",
+    "from some n on": "\N{GREATER-THAN OR EQUAL TO}24: undecided; true from n = 24 on",
+    "undecided": "?: undecided",
+    "false": "no",
+    "degenerate": "no rank: the two least errors are rounding",
+}
+
+# Inches.
+WORDS, CELL, ROW, GAP, HEAD, TITLE, LEGEND_ROW = 2.48, 0.257, 0.335, 0.1, 0.75, 0.3, 0.155
+TITLED = 1.0  # what a title takes
+THREE_COLUMNS = 5.7  # what the legend takes
 
 
 @in_style
-def claims_map(verdicts, summary, modules) -> Figure:
-    """Claims against surfaces: yes, no or undecided.
+def claims_map(decided, summary, readings, surfaces, modules) -> Figure:
+    """Claims against surfaces, a panel per reading.
 
-    `verdicts`: a row per claim, by number, a column per surface; `summary`: claims-summary.csv;
+    `decided`: the rows of claims.csv to show, a claim about all surfaces together in one bar;
+    `summary`: claims-summary.csv; `readings`: title of a panel by reading; `surfaces` in order;
     `modules`: the module of every surface, by name.
     """
-    figure = Figure(figsize=(7.2, 4.9))
-    axes = figure.add_axes((0.45, 0.015, 0.455, 0.79))
-    for i, row in enumerate(verdicts.to_numpy()):
-        for j, verdict in enumerate(row):
-            axes.add_patch(Rectangle((j, i), 0.94, 0.92, color=VERDICTS[verdict]))
-            sign = {"true": "yes", "false": "no", "undecided": "?"}[verdict]
-            colour = "black" if verdict == "undecided" else "white"
-            axes.text(j + 0.47, i + 0.48, sign, ha="center", va="center", fontsize=9, color=colour)
-    axes.set_xlim(0, len(verdicts.columns))
-    axes.set_ylim(len(verdicts), 0)
-    sentences = summary.set_index("claim").sentence
-    sentences = [in_lines(f"{c}. {sentences[c]}", 50) for c in verdicts.index]
-    axes.set_yticks(np.arange(len(verdicts)) + 0.46, sentences, fontsize=8.2, linespacing=1.05)
-    axes.xaxis.tick_top()
-    labels = [modules[surface].LABEL for surface in verdicts.columns]
-    middles = np.arange(len(labels)) + 0.47
-    axes.set_xticks(middles, labels, rotation=40, ha="left", rotation_mode="anchor", fontsize=8)
-    axes.tick_params(length=0)
-    for spine in axes.spines.values():
-        spine.set_visible(False)
+    numbers = sorted(decided.claim.unique())
+    panel, rows = CELL * len(surfaces), ROW * len(numbers)
+    step = max(panel, TITLED) + GAP
+    width = WORDS + len(readings) * step
+    columns = 3 if width > THREE_COLUMNS else 1
+    foot = TITLE + LEGEND_ROW * -(-len(LEGEND) // columns)
+    size = np.array([width, HEAD + rows + foot])
+    figure = Figure(figsize=size)
+    inch = 1 / np.tile(size, 2)
+    for k, (reading, title) in enumerate(readings.items()):
+        axes = figure.add_axes(np.array([WORDS + k * step, foot, panel, rows]) * inch)
+        here = decided[decided.reading == reading]
+        for row in here.itertuples():
+            together = row.surface not in surfaces
+            left = 0 if together else surfaces.index(row.surface)
+            _cell(axes, left, numbers.index(row.claim), len(surfaces) if together else 1, row)
+        axes.set_xlim(0, len(surfaces))
+        axes.set_ylim(len(numbers), 0)
+        sentences = summary.set_index("claim").sentence
+        sentences = [in_lines(f"{c}. {sentences[c]}", 46) for c in numbers] if k == 0 else []
+        axes.set_yticks(np.arange(len(sentences)) + 0.5, sentences, fontsize=SMALL)
+        labels = [in_lines(modules[surface].LABEL, 12) for surface in surfaces]
+        axes.xaxis.tick_top()
+        axes.set_xticks(np.arange(len(labels)) + 0.5, labels, rotation=90, fontsize=SMALL)
+        for label in [*axes.get_xticklabels(), *axes.get_yticklabels()]:
+            label.set_linespacing(1.0)
+        axes.tick_params(length=0)
+        axes.spines[:].set_visible(False)
+        axes.text(0, -0.06 / rows, title, transform=axes.transAxes, va="top")
+    handles = [Patch(label=label, **CELLS[kind][0]) for kind, label in LEGEND.items()]
+    style = {"ncols": columns, "fontsize": SMALL, "columnspacing": 1.2, "borderaxespad": 0.2}
+    figure.legend(handles=handles, loc="lower center", **style)
     return figure
+
+
+def _cell(axes, left, top, width, row):
+    """The verdict of a row of claims.csv in words, `width` cells wide."""
+    signs = {"true": "yes", "false": "no", "undecided": "?" if width == 1 else "undecided"}
+    kind, sign = row.holds, signs.get(row.holds, "")
+    if kind == "undecided" and np.isfinite(row.from_n):
+        kind, sign = "from some n on", f"\N{GREATER-THAN OR EQUAL TO}{row.from_n:.0f}"
+    fill, ink = CELLS[kind]
+    axes.add_patch(Rectangle((left + 0.03, top + 0.03), width - 0.06, 0.94, **fill))
+    place = (left + width / 2, top + 0.5)
+    axes.text(*place, sign, ha="center", va="center", fontsize=SMALL, color=ink)

@@ -1,6 +1,11 @@
 # In: the tables. Out: mean absolute error against triangles for all surfaces, with the paper's
 # Figures 3 to 6 among them, SVG and PNG; and what pictures.smk draws.
-CLAIM_FIGURES = ["claims", *(f"{what}-{q}" for what in ("ranks", "rings") for q in PAPER_FIGURES)]
+CLAIM_FIGURES = [
+    "claims",
+    "marginals",
+    "agreement",
+    *(f"{what}-{q}" for what in ("ranks", "rings") for q in PAPER_FIGURES),
+]
 ERROR_FIGURES = [figure for quantity in PAPER_FIGURES for figure in error_figures(study, quantity)]
 
 
@@ -44,6 +49,9 @@ rule claim_plots:
     input:
         claims=rules.claims.output.claims,
         summary=rules.claims.output.summary,
+        agreement=rules.claims.output.agreement,
+        explanations=rules.explanations.output.explanations,
+        marginals=rules.explanations.output.marginals,
         ranks=rules.accuracy.output.ranks,
         slopes=rules.accuracy.output.rings,
         rings=RINGS,
@@ -55,7 +63,7 @@ rule claim_plots:
         "../envs/curvlib.yaml"
     params:
         quantities=list(PAPER_FIGURES),
-        diagonal=study.diagonals[0],
+        default={option: values[0] for option, values in study.choices().items()},
         n=study.resolutions[-1],
         rings=Rows(study.ring_curves()),
         folder=FIGURES,
