@@ -8,7 +8,7 @@ import matplotlib
 from curvlib.files import whole_file
 
 # Figures have the size at which the article shows them, so that their points are points in print.
-TEXT_WIDTH = 6.3  # inches: 160 mm, the width of the article's text
+TEXT_WIDTH = 160 / 25.4  # inches: the width of the article's text
 PIXELS = 1400  # across the text
 DPI = PIXELS / TEXT_WIDTH
 # Points: of the smallest text, and of text with exponents, which are set at 70 %: 6.5 points.

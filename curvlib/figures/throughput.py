@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 
 from curvlib.comparison.throughput import LIMITS
 
-from .style import in_style
+from .style import TEXT_WIDTH, in_style
 
 
 @in_style
@@ -24,7 +24,7 @@ def throughput_plot(table, modules) -> Figure:
     dashes = zip(LIMITS, itertools.cycle(("--", ":", "-.")))
     styles |= {limit: {"color": "0.5", "linestyle": dash} for limit, dash in dashes}
     labels = {name: module.LABEL for name, module in modules.items()}
-    figure = Figure(figsize=(4.2 * len(kinds) + 2.4, 4.4), layout="constrained")
+    figure = Figure(figsize=(TEXT_WIDTH, 4.2), layout="constrained")
     panels = figure.subplots(1, len(kinds), sharey=True, squeeze=False)[0]
     for axes, kind in zip(panels, kinds):
         shown = table[(table.mesh == kind) & (table.threads == 1) & table.seconds.notna()]
@@ -35,5 +35,7 @@ def throughput_plot(table, modules) -> Figure:
         axes.set_xlabel("vertices")
         axes.grid(True, which="major", color="0.9", linewidth=0.6)
     panels[0].set_ylabel("vertices per second, one thread")
-    panels[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    shown = (zip(*axes.get_legend_handles_labels()) for axes in panels)
+    handles = {label: handle for pairs in shown for handle, label in pairs}
+    figure.legend(handles.values(), handles, loc="outside lower center", ncols=3)
     return figure

@@ -115,7 +115,7 @@ def test_what_cannot_be_drawn_leaves_no_file(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_limits_of_throughput_are_dashed_and_grey():
+def test_limits_of_throughput_are_dashed_and_grey(printed):
     methods = ["falling", *LIMITS, "peer"]
     table = pd.DataFrame(
         {"mesh": "regular", "method": m, "threads": 1, "vertices": n, "seconds": 1.0}
@@ -123,7 +123,9 @@ def test_limits_of_throughput_are_dashed_and_grey():
         for m in methods
         for n in (100, 1000)
     )
-    (axes,) = throughput_plot(table, {"falling": MODULES["falling"]}).axes
+    figure = throughput_plot(table, {"falling": MODULES["falling"]})
+    printed(figure)
+    (axes,) = figure.axes
     drawn = {line.get_label(): line for line in axes.lines}
     assert list(drawn) == ["Falling", *LIMITS, "peer"]
     grey = {label for label, line in drawn.items() if line.get_color() == "0.5"}
