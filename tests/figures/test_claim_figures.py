@@ -9,9 +9,13 @@ import pytest
 from matplotlib.colors import to_hex
 from matplotlib.patches import Ellipse, Rectangle
 
+from curvlib.catalogue import surfaces
+from curvlib.claims.cell import NINE, SEVEN
+from curvlib.claims.sentences import CLAIMS
 from curvlib.figures.agreement import agreement_plot
 from curvlib.figures.marginals import MEAN, RING, WINNER, marginals_plot
 from curvlib.figures.verdicts import CELLS, claims_map
+from curvlib.study.readings import choices_of
 
 SURFACES = ["cylinder", "sphere", "teapot"]
 LABELS = ("Cylinder", "Sphere", "Spout of a teapot")
@@ -225,3 +229,35 @@ def test_marginals_of_a_study_without_joint_readings(printed):
     figure = marginals_plot(table, explanations, SENTENCES, DEFAULT, {})
     printed(figure)
     assert [t.get_text() for t in figure.texts] == ["this study has no joint readings"]
+
+
+def test_the_paper_s_claims_are_legible_in_print(printed):
+    """With all twelve sentences, all seven surfaces and every option of the nine."""
+    summary = pd.DataFrame([claim._asdict() for claim in CLAIMS.values()])
+    summary = summary.rename(columns={"number": "claim"})
+    modules = surfaces.modules({name: name for name in SEVEN})
+    cells = [(c.number, "all" if c.together else s) for c in CLAIMS.values() for s in SEVEN]
+    rows = pd.DataFrame(dict.fromkeys(cells), index=["x"]).T.reset_index()
+    rows = rows.set_axis(["claim", "surface", "holds"], axis=1)
+    rows = rows.assign(holds="undecided", from_n=50.0, reading="default")
+    rows = pd.concat([rows, rows.assign(reading="best")])
+    printed(claims_map(rows, summary, READINGS, SEVEN, modules))
+
+    tau = pd.DataFrame(itertools.product(READINGS, "KH", SEVEN, SEVEN))
+    tau = tau.set_axis(["reading", "quantity", "surface", "other"], axis=1).assign(tau=-0.25)
+    printed(agreement_plot(tau, READINGS, SEVEN, modules))
+
+    names = ("normal", "paraboloid_normal", "pairs", "area", "dihedral")
+    choices = {option: choices_of(NINE)[option] for option in names}
+    single = [(option, value) for option in names for value in choices[option]]
+    crossed = itertools.product(choices["pairs"], choices["dihedral"])
+    single += [("pairs x dihedral", " x ".join(pair)) for pair in crossed]
+    table = pd.DataFrame(
+        {"option": option, "value": value, "claim": claim, "mean": 3.5, "most": 7}
+        for option, value in single
+        for claim in (1, 2, 6, 11)
+    )
+    of = pd.DataFrame({"claim": [1, 2, 6, 11], "degenerate": 2, "of": 7})
+    sentences = {claim: CLAIMS[claim].sentence for claim in (1, 2, 6, 11)}
+    values = {option: values[-1] for option, values in choices.items()}
+    printed(marginals_plot(table, of, sentences, values, values))

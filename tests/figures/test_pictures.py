@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import curvlib
+from curvlib.catalogue import estimators, surfaces
 from curvlib.figures import pictures, render, views
 from curvlib.figures.style import save
 
@@ -211,6 +212,24 @@ def test_curvature_has_its_colours_and_scales(spout):
     grey = np.ptp(draw.scenes[-1].colours, axis=-1) == 0
     assert set(spout.faces[grey]) == set(np.flatnonzero(np.isnan(spout.K)))
     assert arrows(drawn) == ["both"]
+
+
+@pytest.mark.parametrize("quantity", ["K", "H"])
+def test_pictures_are_legible_in_print(quantity, printed):
+    """Of all surfaces and estimators of the package, which have the longest names."""
+    names = curvlib.surfaces()
+    draw, modules = Recorder(), surfaces.modules({name: name for name in names})
+    meshes = {(name, "same", 12): mesh(name, 12) for name in names}
+    printed(pictures.curvature_map(meshes, quantity, modules, draw))
+    printed(pictures.surface_plate(meshes, dict(zip(names, range(1, 10))), modules, draw))
+    printed(pictures.tessellation_plate(meshes, modules, draw))
+    spout, nine = (
+        meshes["teapot_spout", "same", 12],
+        estimators.modules({name: name for name in curvlib.estimators()}),
+    )
+    estimates = dict.fromkeys(nine, SimpleNamespace(K=spout.K * 1.1, H=spout.H * 1.1))
+    surface = modules["teapot_spout"]
+    printed(pictures.error_map(spout, estimates, quantity, surface, nine, draw))
 
 
 @pytest.mark.parametrize("known", [0, 1])
