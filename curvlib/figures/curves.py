@@ -2,7 +2,7 @@
 
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.ticker import NullFormatter
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from curvlib.comparison.quantities import QUANTITIES
 
@@ -40,6 +40,10 @@ def error_plot(errors, convergence, surface: str, quantity: str, modules) -> Fig
     axes.set_ylim(floor, axes.get_ylim()[1])
     _guide(axes, triangles)
     axes.yaxis.set_minor_formatter(NullFormatter())
+    if np.log10(axes.get_ylim()[1] / floor) < 1.5:
+        # Powers of ten alone would leave one label or none.
+        axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axes.yaxis.set_major_formatter("{x:g}")
     axes.set_xlabel("triangles")
     symbol, name, unit, *_ = QUANTITIES[quantity]
     axes.set_ylabel(f"mean absolute error of {symbol} ({unit})")

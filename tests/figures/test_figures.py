@@ -80,6 +80,18 @@ def test_error_plot_is_legible_in_print(tables, printed):
     printed(error_plot(*tables, "sphere", "K", MODULES))
 
 
+def test_errors_within_a_decade_have_labels(tables, printed):
+    errors, convergence = tables
+    errors = errors[errors.estimator == "flat"].assign(value=np.linspace(0.3, 0.9, 7))
+    figure = error_plot(errors, convergence, "sphere", "K", MODULES)
+    printed(figure)
+    (axes,) = figure.axes
+    low, high = axes.get_ylim()
+    shown = [t.get_text() for t in axes.get_yticklabels() if low <= t.get_position()[1] <= high]
+    assert shown == ["0.2", "0.5", "1"][: len(shown)]
+    assert len(shown) >= 2
+
+
 @pytest.mark.parametrize("kind", ["svg", "png"])
 def test_the_same_bytes_each_time(tables, tmp_path, kind):
     made = []
