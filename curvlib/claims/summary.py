@@ -10,11 +10,9 @@ from .sentences import CLAIMS
 HOLDS = [holds.value for holds in reversed(Holds)]  # from the best to the worst
 
 
-def verdicts(decided: pd.DataFrame, reading: str = "default") -> pd.DataFrame:
-    """Verdicts on the paper's meshes in one reading: a row per claim, a column per surface, and
-    `all` for claims about the surfaces together."""
-    here = decided[(decided.reading == reading) & (decided.meshes == PAPER)]
-    return here.pivot(index="claim", columns="surface", values="holds")
+def verdicts(decided: pd.DataFrame, surfaces) -> pd.DataFrame:
+    """The rows of claims.csv on the paper's meshes, of these surfaces and of all together."""
+    return decided[(decided.meshes == PAPER) & decided.surface.isin([*surfaces, TOGETHER])]
 
 
 def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:

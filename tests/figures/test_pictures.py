@@ -221,7 +221,8 @@ def test_pictures_are_legible_in_print(quantity, printed):
     draw, modules = Recorder(), surfaces.modules({name: name for name in names})
     meshes = {(name, "same", 12): mesh(name, 12) for name in names}
     printed(pictures.curvature_map(meshes, quantity, modules, draw))
-    printed(pictures.surface_plate(meshes, dict(zip(names, range(1, 10))), modules, draw))
+    numbers = {name: number for number, name in enumerate(names, 1)}
+    printed(pictures.surface_plate(meshes, numbers, modules, draw))
     printed(pictures.tessellation_plate(meshes, modules, draw))
     spout, nine = (
         meshes["teapot_spout", "same", 12],

@@ -5,8 +5,8 @@ import pandas as pd
 
 from curvlib.catalogue import estimators, surfaces
 from curvlib.claims.cell import SIMILAR_PAIRS, chosen
-from curvlib.claims.evidence import PAPER, TOGETHER
 from curvlib.claims.explanations import BEST, RANKING, best
+from curvlib.claims.summary import verdicts
 from curvlib.comparison.accuracy import concat
 from curvlib.figures.agreement import agreement_plot
 from curvlib.figures.curves import rank_plot
@@ -29,13 +29,12 @@ with logged(snakemake.log[0]):
     modules = estimators.modules(params.estimators) | surfaces.modules(params.surfaces)
     shown = chosen(params.surfaces)
     titles = {reading: TITLES[reading] for reading in TITLES if reading in set(claims.reading)}
-    here = claims[(claims.meshes == PAPER) & claims.surface.isin([*shown, TOGETHER])]
     beside = dict(SIMILAR_PAIRS)
     alike = dict.fromkeys(s for first in shown for s in (first, beside.get(first)) if s in shown)
     sentences = summary.set_index("claim").sentence
     by_option = {claim: sentences[claim] for claim in BY_OPTION if claim in sentences}
     drawn = {
-        "claims": claims_map(here, summary, titles, shown, modules),
+        "claims": claims_map(verdicts(claims, shown), summary, titles, shown, modules),
         "agreement": agreement_plot(agreement, titles, list(alike), modules),
         "marginals": marginals_plot(
             marginals, explanations, by_option, params.default, best(explanations)
