@@ -14,6 +14,7 @@ from curvlib.claims.cell import NINE, SEVEN
 from curvlib.claims.sentences import CLAIMS
 from curvlib.figures.agreement import agreement_plot
 from curvlib.figures.marginals import MEAN, RING, WINNER, marginals_plot
+from curvlib.figures.style import save
 from curvlib.figures.verdicts import CELLS, claims_map
 from curvlib.study.readings import choices_of
 
@@ -261,3 +262,13 @@ def test_the_paper_s_claims_are_legible_in_print(printed):
     sentences = {claim: CLAIMS[claim].sentence for claim in (1, 2, 6, 11)}
     values = {option: values[-1] for option, values in choices.items()}
     printed(marginals_plot(table, of, sentences, values, values))
+
+
+@pytest.mark.parametrize("kind", ["svg", "png"])
+def test_hatched_figures_have_the_same_bytes_each_time(tmp_path, kind):
+    made = []
+    for name in "ab":
+        path = tmp_path / f"{name}.{kind}"
+        save(claims_map(decided(["default"]), SUMMARY, READINGS, SURFACES, MODULES), path)
+        made.append(path.read_bytes())
+    assert made[0] == made[1]
