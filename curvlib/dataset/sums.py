@@ -43,7 +43,9 @@ def library_digest(path, files) -> str:
         listed = {
             f"{folder}/{name}": digest
             for folder in folders
-            for name, digest in parse_sums((path / folder / SUMS).read_text("utf-8")).items()
+            for name, digest in parse_sums(
+                (path / folder / SUMS).read_text(encoding="utf-8")
+            ).items()
         }
     else:
         with open_archive(path) as archive:
