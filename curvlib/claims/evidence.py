@@ -37,7 +37,7 @@ def decide(readings, variants, curves, noise, rings) -> pd.DataFrame:
     evidence = Evidence(variants, curves, noise, rings)
     by_reading = readings[readings.kind != "product"].groupby("reading", sort=False)
     rows = (row for _, reading in by_reading for row in evidence.rows(reading))
-    return pd.DataFrame(rows, columns=COLUMNS)
+    return pd.DataFrame(rows, columns=COLUMNS).astype({"from_n": "Int64"})
 
 
 COLUMNS = ["claim", "surface", "diagonal", "reading", "meshes", "holds", "from_n", "effect"]

@@ -4,12 +4,34 @@ import pandas as pd
 
 from .cell import NINE, Holds
 from .evidence import Evidence
-from .explanations import RANKING
+from .explanations import BEST, RANKING
 
 # Longest over shortest edge, median over the triangles: the paper's seven surfaces have less.
 LONG = 4
 ALL = "all"
 KEY = ["reading", "family", "triangles"]
+
+# The option whose other values are tried in the best explanation.
+TRIED = "dihedral"
+
+
+def readings_on_shapes(readings) -> pd.DataFrame:
+    """The rows of readings.csv for shapes: the default, the best explanation where the study has
+    it, and that with the other values of TRIED, called `best-explanation,dihedral=signed`.
+
+    An estimator without such a variant in `readings` keeps its own.
+    """
+    first = readings[readings.reading == BEST]
+    known = set(zip(readings.estimator, readings.variant))
+    chosen = [readings[readings.reading == "default"], first]
+    values = readings.variant.str.extract(rf"\b{TRIED}=([^,]*)")[0]
+    for choice in TRIED + "=" + values.dropna().drop_duplicates():
+        other = first.variant.str.replace(rf"\b{TRIED}=[^,]*", choice, regex=True)
+        exists = [pair in known for pair in zip(first.estimator, other)]
+        other = other.where(exists, first.variant)
+        if not other.equals(first.variant):
+            chosen.append(first.assign(reading=f"{BEST},{choice}", variant=other))
+    return pd.concat(chosen, ignore_index=True)
 
 
 def guesses(shapes, readings) -> pd.DataFrame:
@@ -20,7 +42,7 @@ def guesses(shapes, readings) -> pd.DataFrame:
     shapes : DataFrame
         shapes.csv: errors of every variant on every shape.
     readings : DataFrame
-        What the readings on shapes are, from `comparison.shapes.readings_on_shapes`.
+        What the readings on shapes are, from `readings_on_shapes`.
 
     Returns
     -------

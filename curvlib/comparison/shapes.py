@@ -1,37 +1,14 @@
 """Errors on other shapes than the study's own, in a few readings."""
 
 import numpy as np
-import pandas as pd
 
 from curvlib.estimation import estimate
 
 from .norms import NORMS, VERTICES, counted_vertices, error_rows, largest_curvature, rounding_level
 
-# The option whose other values are tried in the best reading.
-TRIED = "dihedral"
-
 LABELS = ("family", "shape", "proportions", "surface", "diagonal", "n")
 COLUMNS = (*LABELS, "triangles", "elongation", "estimator", "variant", "counted", "quantity")
 COLUMNS += (*NORMS, "vertices", "undefined", "rounding")
-
-
-def readings_on_shapes(readings, best: str) -> pd.DataFrame:
-    """The rows of readings.csv for shapes: the default, the reading `best` where the study has it,
-    and that with the other values of TRIED, called `<best>,dihedral=signed`.
-
-    An estimator without such a variant in `readings` keeps its own.
-    """
-    first = readings[readings.reading == best]
-    known = set(zip(readings.estimator, readings.variant))
-    chosen = [readings[readings.reading == "default"], first]
-    values = readings.variant.str.extract(rf"\b{TRIED}=([^,]*)")[0]
-    for choice in TRIED + "=" + values.dropna().drop_duplicates():
-        other = first.variant.str.replace(rf"\b{TRIED}=[^,]*", choice, regex=True)
-        exists = [pair in known for pair in zip(first.estimator, other)]
-        other = other.where(exists, first.variant)
-        if not other.equals(first.variant):
-            chosen.append(first.assign(reading=f"{best},{choice}", variant=other))
-    return pd.concat(chosen, ignore_index=True)
 
 
 def elongation(mesh) -> float:

@@ -5,8 +5,9 @@ import pandas as pd
 import pytest
 
 import curvlib
+from curvlib.claims.guesses import readings_on_shapes
 from curvlib.comparison.norms import NORMS, ROUNDING
-from curvlib.comparison.shapes import COLUMNS, elongation, readings_on_shapes, shape_rows
+from curvlib.comparison.shapes import COLUMNS, elongation, shape_rows
 
 BEST = "best-explanation"
 ESTIMATORS = ("gauss_bonnet", "taubin_a", "paraboloid")
@@ -32,7 +33,7 @@ def table(*names, counted="interior"):
 
 
 def test_best_explanation_with_every_other_angle():
-    chosen = readings_on_shapes(table(*VARIANTS), BEST)
+    chosen = readings_on_shapes(table(*VARIANTS))
     found = {name: tuple(rows.variant) for name, rows in chosen.groupby("reading")}
     expected = {
         f"{BEST},dihedral={value}": (f"area=third,dihedral={value}", *VARIANTS[BEST][1:])
@@ -43,12 +44,12 @@ def test_best_explanation_with_every_other_angle():
 
 def test_only_variants_that_the_study_has():
     """No estimator has `dihedral=unsigned` beside what the best reading has else."""
-    only = readings_on_shapes(table("default", BEST, "area=half"), BEST)
+    only = readings_on_shapes(table("default", BEST, "area=half"))
     assert set(only.reading) == {"default", BEST, f"{BEST},dihedral=signed"}
     without = table(*VARIANTS)
-    without = readings_on_shapes(without[without.estimator != "gauss_bonnet"], BEST)
+    without = readings_on_shapes(without[without.estimator != "gauss_bonnet"])
     assert set(without.reading) == {"default", BEST}
-    assert set(readings_on_shapes(table("default", "area=half"), BEST).reading) == {"default"}
+    assert set(readings_on_shapes(table("default", "area=half")).reading) == {"default"}
 
 
 def test_elongation():

@@ -7,10 +7,9 @@ import pandas as pd
 
 from curvlib.claims.answer import answer, findings, in_words
 from curvlib.claims.evidence import decide
-from curvlib.claims.explanations import BEST, search
-from curvlib.claims.guesses import guesses
+from curvlib.claims.explanations import search
+from curvlib.claims.guesses import guesses, readings_on_shapes
 from curvlib.claims.summary import agreement, decided_by_ties, summary
-from curvlib.comparison.shapes import readings_on_shapes
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
@@ -20,7 +19,7 @@ with logged(snakemake.log[0]):
     claims = decide(**tables)
     claims.to_csv(output.claims, index=False)
     agreement(tables["readings"], tables["variants"]).to_csv(output.agreement, index=False)
-    on_shapes = readings_on_shapes(tables["readings"], BEST)
+    on_shapes = readings_on_shapes(tables["readings"])
     guesses(shapes, on_shapes).to_csv(output.guesses, index=False)
     table = summary(claims, tables["readings"])
     table.to_csv(output.summary, index=False)

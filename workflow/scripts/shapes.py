@@ -2,9 +2,9 @@
 
 import pandas as pd
 
-from curvlib.claims.explanations import BEST
+from curvlib.claims.guesses import readings_on_shapes
 from curvlib.comparison.run import write_rows
-from curvlib.comparison.shapes import COLUMNS, readings_on_shapes, shape_rows
+from curvlib.comparison.shapes import COLUMNS, shape_rows
 from curvlib.nurbs.tessellation import tessellate
 from curvlib.study.job import logged
 from curvlib.surfaces._random import random_shapes
@@ -20,6 +20,6 @@ with logged(snakemake.log[0]):
         )
         for family, number, proportions, surface in random_shapes()
     )
-    readings = readings_on_shapes(pd.read_csv(snakemake.input.readings), BEST)
+    readings = readings_on_shapes(pd.read_csv(snakemake.input.readings))
     rows = shape_rows(meshes, readings, params.estimators, params.variants)
     write_rows(snakemake.output.shapes, COLUMNS, rows)
