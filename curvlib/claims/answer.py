@@ -59,7 +59,31 @@ def answer(table, explanations, convergence, finest: int) -> str:
     body = shown.to_markdown(index=False, disable_numparse=True)
     found = [said for said in findings(table, explanations, convergence).values() if said]
     items = [textwrap.fill(f"* {said}", 100, subsequent_indent="  ") for said in found]
-    return "\n".join(items) + f"\n\n{body}\n"
+    parts = [headline(rows), "\n".join(items), body]
+    return "\n\n".join(part for part in parts if part) + "\n"
+
+
+def headline(rows) -> str:
+    """The answer in one sentence: whether claims 1 and 2 hold, by default and as explained best."""
+    by_number = {row["claim"]: row for row in rows}
+    if not {1, 2} <= set(by_number):
+        return ""
+    words = "**The answer**: for K {}, for H {}.".format(
+        *(_in_short(by_number[n], "default") for n in (1, 2))
+    )
+    if f"{BEST}_true" in by_number[1]:
+        explained = " In the reading that explains the paper best: for K {}, for H {}."
+        words += explained.format(*(_in_short(by_number[n], BEST) for n in (1, 2)))
+    return textwrap.fill(words, 100)
+
+
+def _in_short(row, column):
+    of = int(row["of"]) - int(row[f"{column}_degenerate"])
+    if not of:
+        return "nothing to rank"
+    if int(row[f"{column}_true"]) == of:
+        return "yes"
+    return "in part" if 2 * _at_finest(row, column) > of else "no"
 
 
 def findings(table, explanations, convergence) -> dict:

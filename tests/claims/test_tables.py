@@ -315,13 +315,17 @@ def test_the_answer_follows_the_tables():
     ]
     assert lines[2][3:7] == ["3 (+1) of 5", "1 (+2) of 5", "3 of 7", "5 of 7"]
     assert lines[8][3:7] == ["yes", "yes", "no", "yes"]
-    assert text.startswith("* With the misprints")
+    head = " ".join(text.split("\n\n")[0].split())
+    assert head.startswith("**The answer**: for K in part, for H in part. In the reading that")
+    assert head.endswith("explains the paper best: for K in part, for H in part.")
+    assert text.split("\n\n")[1].startswith("* With the misprints")
     none = answer.answer(
         table.drop(columns=[c for c in table if BEST in c]), explanations[:0], NONE[:0], 64
     )
     assert "best explanation" not in none
     assert "refined to n = 64" in none
-    assert none.count("\n* ") == 0
+    assert none.count("\n* ") == 1
+    assert none.startswith("**The answer**: for K in part, for H in part.\n\n* With")
     words = answer.in_words(table)
     assert words.count("\n") == len(CLAIMS)
     assert "3 (+1) of 5 on the paper's meshes, 1 (+2) of 5 refined" in words
@@ -343,6 +347,24 @@ def test_findings_in_studies_that_come_out_otherwise():
     signed = explanations[explanations.dihedral == "signed"]
     assert "the signed angle at each edge" in answer.findings(table, signed, NONE)["explanation"]
     assert "misprint" not in answer.findings(table, signed, NONE)["explanation"]
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "word"),
+    [
+        ([T] * 7, "yes"),
+        ([T, D, T, T, D, T, T], "yes"),
+        ([U, U, U, U, F, F, F], "in part"),
+        ([U, U, U, F, F, F, F], "no"),
+        ([U, D, F, F, D, D, D], "no"),
+        ([D] * 7, "nothing to rank"),
+    ],
+)
+def test_the_answer_in_one_word(verdicts, word):
+    rows = summary.summary(decided_rows({("default", "paper", "same"): verdicts}), READINGS[:1])
+    assert (
+        answer.headline(rows.to_dict("records")) == f"**The answer**: for K {word}, for H {word}."
+    )
 
 
 def test_what_converges_on_irregular_meshes_is_looked_up():
