@@ -77,49 +77,61 @@ def estimate(ring, normal: Normal = "uniform", pairs: Pairs = "opposite"):
     if n > MOST:
         undefined = np.full(m, np.nan)
         return undefined, undefined
-    unit, inverted = ring.e / ring.lengths, canonical(ring, unit_normal(ring, normal))
-    inverted /= ring.squares
+    unit, inverted = _inverted(ring.e, ring.lengths, canonical(ring, unit_normal(ring, normal)))
     steps = n // 2 if pairs == "ring-opposite" else n
     limits = _largest(unit) if pairs == "opposite" else np.full((n, m), COSINES[pairs])
-    more, circles = _at_least_three(unit, steps, limits)
+    used, circles = _used(unit, steps, limits)
     # Rings with fewer circles than the largest of the batch are padded with rows of zeros.
     rows = min(max(1, int(circles.max())), MOST_ROWS)
     columns, row = np.zeros((4, rows, m)), np.zeros(m, np.intp)
-    place = _fill(columns, row, 0, unit, inverted, steps, limits, more)
-    while place < n * n * m:
+    place = _fill(columns, row, 0, inverted, used)
+    while place < used.size:
         fold(columns)
         np.minimum(row, 3, out=row)
-        place = _fill(columns, row, place, unit, inverted, steps, limits, more)
+        place = _fill(columns, row, place, inverted, used)
     columns[3, 0, row == 0] = np.nan
     A, B, C = least_squares(columns, CUTOFF)
     return A * A - B * B - C * C, A
 
 
 @compiled
-def _fill(columns, row, place, unit, inverted, steps, limits, more):
-    """Write a row of columns (4, rows, m) for each circle, from `place` on in the order of i, j, k,
+def _inverted(e, lengths, images):
+    """e_i / |e_i|, (3, n, m); and e_i / |e_i|^2 in the canonical form, from e_i in it."""
+    unit = np.empty(e.shape)
+    for i in range(e.shape[1]):
+        for k in range(e.shape[2]):
+            inverse = 1 / lengths[i, k]
+            for c in range(3):
+                unit[c, i, k] = e[c, i, k] * inverse
+                images[c, i, k] *= inverse * inverse
+    return unit, images
+
+
+@compiled
+def _fill(columns, row, place, inverted, used):
+    """Write a row of columns (4, rows, m) for each circle, from `place` in `used` (pairs, m) on,
     and count those of each ring in row (m,). Returns the place of the first that finds no room."""
-    _, n, m = unit.shape
-    first = place % m
-    for pair in range(place // m, n * n):
-        i, j = pair // n, pair % n
-        for k in range(first, m if i < j else 0):
-            if _chosen(unit, i, j, k, steps, limits, more[k]):
-                if row[k] == columns.shape[1]:
-                    return pair * m + k
-                (x, y, z), (dx, dy, dz) = at(inverted, i, k), at(inverted, j, k)
-                dx, dy, dz = dx - x, dy - y, dz - z
-                xx, yy = dx * dx, dy * dy
-                # Inversion at v maps the circle to the line through the two images. Its point
-                # nearest to v is half the curvature vector; kn is twice its z (2.1).
-                nearest = (x * dx + y * dy + z * dz) / (xx + yy + dz * dz)
-                r, row[k] = row[k], row[k] + 1
-                columns[0, r, k] = 1
-                columns[1, r, k] = (xx - yy) / (xx + yy)
-                columns[2, r, k] = 2 * dx * dy / (xx + yy)
-                columns[3, r, k] = 2 * (z - nearest * dz)
-        first = 0
-    return n * n * m
+    _, n, m = inverted.shape
+    pair = 0
+    for i in range(n):
+        for j in range(i + 1, n):
+            for k in range(max(place - pair * m, 0), m):
+                if used[pair, k]:
+                    if row[k] == columns.shape[1]:
+                        return pair * m + k
+                    (x, y, z), (dx, dy, dz) = at(inverted, i, k), at(inverted, j, k)
+                    dx, dy, dz = dx - x, dy - y, dz - z
+                    xx, yy = dx * dx, dy * dy
+                    # Inversion at v maps the circle to the line through the two images. Its point
+                    # nearest to v is half the curvature vector; kn is twice its z (2.1).
+                    nearest = (x * dx + y * dy + z * dz) / (xx + yy + dz * dz)
+                    r, row[k] = row[k], row[k] + 1
+                    columns[0, r, k] = 1
+                    columns[1, r, k] = (xx - yy) / (xx + yy)
+                    columns[2, r, k] = 2 * dx * dy / (xx + yy)
+                    columns[3, r, k] = 2 * (z - nearest * dz)
+            pair += 1
+    return used.size
 
 
 @compiled
@@ -143,46 +155,50 @@ def _largest(unit):
 
 
 @compiled
-def _at_least_three(unit, steps, limits):
-    """The cosine (m,) up to which further pairs are used, so that each ring has CIRCLES of them:
-    the largest angle left with its ties, one after another. And the number of circles, (m,)."""
+def _used(unit, steps, limits):
+    """Whether each pair i < j is used, (pairs, m), and the number of circles, (m,).
+
+    A pair is used if it is `steps` or more apart on the ring, or if the cosine of its angle, which
+    saves an arctangent, is at most limits[i] or limits[j], (n, m). Rings with less than CIRCLES of
+    them use the largest angles left with their ties, one after another.
+    """
     _, n, m = unit.shape
-    more, circles = np.empty(m), zeros(m)
-    for k in range(m):
-        more[k] = -np.inf
+    used, circles = np.empty((n * (n - 1) // 2, m), np.bool_), zeros(m)
+    pair = 0
     for i in range(n):
         for j in range(i + 1, n):
+            far = j - i >= steps and n - j + i >= steps
             for k in range(m):
-                circles[k] += _chosen(unit, i, j, k, steps, limits, -np.inf)
+                limit = limits[i, k] if limits[i, k] > limits[j, k] else limits[j, k]
+                # No branches: the loop is vectorised.
+                chosen = far | (dot(at(unit, i, k), at(unit, j, k)) <= limit)
+                used[pair, k] = chosen
+                circles[k] += chosen
+            pair += 1
     for k in range(m):
         for _ in range(CIRCLES):
             if circles[k] >= CIRCLES:
                 break
-            best = np.inf
-            for i in range(n):
-                for j in range(i + 1, n):
-                    if not _chosen(unit, i, j, k, steps, limits, more[k]):
-                        cosine = dot(at(unit, i, k), at(unit, j, k))
-                        best = cosine if cosine < best else best
-            more[k], circles[k] = _tied(best), 0.0
-            for i in range(n):
-                for j in range(i + 1, n):
-                    circles[k] += _chosen(unit, i, j, k, steps, limits, more[k])
-    return more, circles
+            _use_largest(unit, k, used, circles)
+    return used, circles
 
 
 @compiled
-def _chosen(unit, i, j, k, steps, limits, more):
-    """Whether the pair i < j of ring k is used: if it is `steps` or more apart on the ring, or if
-    the cosine of its angle is at most limits[i] or limits[j], (n, m), or `more`.
-
-    Comparing cosines saves an arctangent a pair.
-    """
-    limit = limits[i, k] if limits[i, k] > limits[j, k] else limits[j, k]
-    limit = more if more > limit else limit
-    # No branches: the loops over k are vectorised.
-    far = (j - i >= steps) & (unit.shape[1] - j + i >= steps)
-    return far | (dot(at(unit, i, k), at(unit, j, k)) <= limit)
+def _use_largest(unit, k, used, circles):
+    """Use the pairs of ring k with the largest angle of those left, and its ties."""
+    n, pair, best = unit.shape[1], 0, np.inf
+    for i in range(n):
+        for j in range(i + 1, n):
+            cosine = dot(at(unit, i, k), at(unit, j, k))
+            best = cosine if not used[pair, k] and cosine < best else best
+            pair += 1
+    pair, limit = 0, _tied(best)
+    for i in range(n):
+        for j in range(i + 1, n):
+            if not used[pair, k] and dot(at(unit, i, k), at(unit, j, k)) <= limit:
+                used[pair, k] = True
+                circles[k] += 1
+            pair += 1
 
 
 @compiled
