@@ -15,6 +15,8 @@ is given the mesh; None for what it does not estimate. It must not
 write to the arrays that it is given: a file from elsewhere gets its own copy of a ring.
 
 Compiled code runs fast and on several threads; without the decorator it is NumPy on the same
-arrays. Imports are absolute, so that a copy of a file works outside the package too. An estimator
+arrays. The nine of the paper are Python that calls compiled functions: one that several estimators
+call is compiled once, which takes 0.6 of the time for all nine, and one for a rare case when that
+occurs. Imports are absolute, so that a copy of a file works outside the package too. An estimator
 whose value depends on which way round the ring is walked says so in ONE_SIDED.
 """

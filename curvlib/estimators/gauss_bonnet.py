@@ -1,9 +1,9 @@
 """Gauss-Bonnet scheme (angle deficit), section 3.3."""
 
-import math
 from typing import Literal
 
-from curvlib.kit.compiled import compiled
+import numpy as np
+
 from curvlib.kit.ring import beta, following, mixed_area, total, total_angle, weighted_total
 
 LABEL = "Gauss-Bonnet"
@@ -11,7 +11,6 @@ SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#0072B2", "marker": "s", "linestyle": "-"}
 
 
-@compiled
 def estimate(
     ring,
     area: Literal["third", "half", "mixed"] = "third",
@@ -58,18 +57,11 @@ def estimate(
     1.2092
     """
     A = total(ring.areas)
-    mixed, half, signed = area == "mixed", area == "half", dihedral == "signed"
-    cell = mixed_area(ring) if mixed else A
+    cell = mixed_area(ring) if area == "mixed" else A / 3
     angles = beta(ring)
     if dihedral == "as-printed":
         angles = following(angles)
-    if not signed:
-        for i in range(len(angles)):
-            for k in range(angles.shape[1]):
-                angles[i, k] = abs(angles[i, k])
-    K, H = total_angle(ring), weighted_total(ring.lengths, angles)
-    for k in range(len(K)):
-        cell_k = cell[k] if mixed else A[k] / 3
-        K[k] = (2 * math.pi - K[k]) / (A[k] / 2 if half else cell_k)
-        H[k] /= 4 * cell_k
-    return K, H
+    if dihedral != "signed":
+        angles = np.abs(angles)
+    K = (2 * np.pi - total_angle(ring)) / (A / 2 if area == "half" else cell)
+    return K, weighted_total(ring.lengths, angles) / (4 * cell)

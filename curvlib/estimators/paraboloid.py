@@ -14,7 +14,6 @@ SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#D55E00", "marker": "o", "linestyle": "-"}
 
 
-@compiled
 def estimate(ring, normal: Normal = "uniform"):
     """K = 4 a c - b^2 and H = a + c (3.5) of z = a x^2 + b x y + c y^2 (3.4), fitted by least
     squares to the one-ring in the canonical form (z is the depth below the tangent plane).
@@ -51,20 +50,22 @@ def estimate(ring, normal: Normal = "uniform"):
     Source: Surazhsky et al. (2003), section 3.1.
     """
     xyz = canonical(ring, unit_normal(ring, normal))
-    (a, b, c), weak = regression(_columns(xyz), CUTOFF)
-    K, H = np.empty(len(a)), np.empty(len(a))
-    for k in range(len(a)):
-        xy = math.sqrt(2) * b[k]
-        K[k], H[k] = 4 * a[k] * c[k] - xy * xy, a[k] + c[k]
-    if len(weak) > 0:
-        some = np.empty((3, xyz.shape[1], len(weak)))
-        for axis in range(3):
-            for i in range(xyz.shape[1]):
-                for k in range(len(weak)):
-                    some[axis, i, k] = xyz[axis, i, weak[k]]
-        a, c = _whitened(some)
-        for k in range(len(weak)):
-            K[weak[k]], H[weak[k]] = a[k], c[k]
+    x, bounds = regression(_columns(xyz))
+    K, H = _of_form(x)
+    weak = ~(bounds > CUTOFF**2)
+    if weak.any():
+        K[weak], H[weak] = _whitened(xyz.compress(weak, 2))
+    return K, H
+
+
+@compiled
+def _of_form(x):
+    """K and H (m,) of the forms x (3, m): a, b / sqrt(2) and c."""
+    m = x.shape[1]
+    K, H = np.empty(m), np.empty(m)
+    for k in range(m):
+        a, xy, c = x[0, k], math.sqrt(2) * x[1, k], x[2, k]
+        K[k], H[k] = 4 * a * c - xy * xy, a + c
     return K, H
 
 
@@ -83,18 +84,10 @@ def _columns(xyz):
     return columns
 
 
-@compiled
 def _whitened(xyz):
-    """K and H of the minimum-norm form in u = p x, v = q x + r y; overwrites x and y."""
-    p, q, r = whitening(xyz)
-    for i in range(xyz.shape[1]):
-        for k in range(xyz.shape[2]):
-            xyz[1, i, k] = q[k] * xyz[0, i, k] + r[k] * xyz[1, i, k]
-            xyz[0, i, k] *= p[k]
-    a, b, c = least_squares(_columns(xyz), CUTOFF)
-    K, H = np.empty_like(p), np.empty_like(p)
-    for k in range(len(p)):
-        xy, rr = math.sqrt(2) * b[k], p[k] * r[k]
-        K[k] = (4 * a[k] * c[k] - xy * xy) * (rr * rr)
-        H[k] = a[k] * p[k] * p[k] + xy * p[k] * q[k] + c[k] * (q[k] * q[k] + r[k] * r[k])
-    return K, H
+    """K and H of the minimum-norm form in u = p x, v = q x + r y."""
+    (x, y, z), (p, q, r) = xyz, whitening(xyz)
+    a, b, c = least_squares(_columns(np.stack((p * x, q * x + r * y, z))), CUTOFF)
+    xy, rr = math.sqrt(2) * b, p * r
+    K = (4 * a * c - xy * xy) * (rr * rr)
+    return K, a * p * p + xy * p * q + c * (q * q + r * r)

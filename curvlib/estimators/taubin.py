@@ -7,7 +7,7 @@ import numpy as np
 
 from curvlib.kit.compiled import compiled
 from curvlib.kit.frame import Normal, canonical, kn, unit_normal
-from curvlib.kit.ring import total, with_preceding
+from curvlib.kit.ring import total, with_preceding, zeros
 
 Principal = Literal["corrected", "as-printed"]
 
@@ -16,7 +16,6 @@ SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#CC79A7", "marker": "D", "linestyle": "-"}
 
 
-@compiled
 def estimate(ring, normal: Normal = "uniform", principal: Principal = "corrected"):
     """K = k1 k2 and H = (k1 + k2) / 2 of the eigenvalues m11, m22 of M = sum w_i kn_i T_i T_i^t
     (3.22): k1 = 3 m11 - m22, k2 = 3 m22 - m11 (3.21); w_i ~ area of the two triangles at e_i.
@@ -71,7 +70,7 @@ def from_tensor(weights, curvature, along, principal):
     With trace t and determinant d of M, k1 k2 = 16 d - 3 t^2 and (k1 + k2) / 2 = t.
     """
     n, m = weights.shape
-    m11, m12, m22 = np.zeros(m), np.zeros(m), np.zeros(m)
+    m11, m12, m22 = zeros(m), zeros(m), zeros(m)
     for i in range(n):
         for k in range(m):
             x, y = along[0, i, k], along[1, i, k]

@@ -3,7 +3,6 @@
 from typing import Literal
 
 from curvlib.estimators.taubin import Principal, from_tensor
-from curvlib.kit.compiled import compiled
 from curvlib.kit.frame import Normal, canonical, kn, unit_normal
 from curvlib.kit.ring import alpha, with_preceding
 
@@ -13,7 +12,6 @@ STYLE = {"color": "#CC79A7", "marker": "P", "linestyle": "--", "markerfacecolor"
 ONE_SIDED = "w_i is the angle to the next neighbour; angles='centred' takes both sides"
 
 
-@compiled
 def estimate(
     ring,
     angles: Literal["one-sided", "centred"] = "one-sided",

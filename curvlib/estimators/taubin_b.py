@@ -2,10 +2,12 @@
 
 from typing import Literal
 
+import numpy as np
+
 from curvlib.estimators.taubin import Principal, from_tensor
 from curvlib.kit.compiled import compiled
 from curvlib.kit.frame import Normal, canonical, kn, unit_normal
-from curvlib.kit.ring import alpha, following, with_preceding
+from curvlib.kit.ring import alpha, with_preceding
 
 LABEL = "Taubin B"
 SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
@@ -13,7 +15,6 @@ STYLE = {"color": "#CC79A7", "marker": "X", "linestyle": ":", "markerfacecolor":
 ONE_SIDED = "kn_i is averaged with that of the next neighbour"
 
 
-@compiled
 def estimate(
     ring,
     weights: Literal["area", "angle"] = "area",
@@ -53,9 +54,16 @@ def estimate(
     """
     N = unit_normal(ring, normal)
     w = with_preceding(ring.areas) if weights == "area" else alpha(ring)
-    curvature = kn(ring, N)
-    mean = following(curvature)
-    for i in range(len(mean)):
-        for k in range(mean.shape[1]):
-            mean[i, k] = (curvature[i, k] + mean[i, k]) / 2
-    return from_tensor(w, mean, canonical(ring, N), principal)
+    return from_tensor(w, _smoothed(kn(ring, N)), canonical(ring, N), principal)
+
+
+@compiled
+def _smoothed(x):
+    """(x_i + x_{i+1}) / 2, (n, m)."""
+    n, m = x.shape
+    out = np.empty((n, m))
+    for i in range(n):
+        j = (i + 1) % n
+        for k in range(m):
+            out[i, k] = (x[i, k] + x[j, k]) / 2
+    return out

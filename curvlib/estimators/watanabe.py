@@ -7,14 +7,13 @@ import numpy as np
 
 from curvlib.kit.compiled import compiled
 from curvlib.kit.frame import Normal, canonical, kn, unit_normal
-from curvlib.kit.ring import alpha
+from curvlib.kit.ring import alpha, zeros
 
 LABEL = "Watanabe-Belyaev"
 SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#009E73", "marker": "^", "linestyle": "-"}
 
 
-@compiled
 def estimate(
     ring,
     normal: Normal = "area",
@@ -59,7 +58,7 @@ def estimate(
 def by_trapezoids(phi, curvature):
     """K and H (m,) of normal `curvature` (n, m), at angles `phi` (n, m) from one to the next."""
     n, m = phi.shape
-    mean, mean_square = np.zeros(m), np.zeros(m)
+    mean, mean_square = zeros(m), zeros(m)
     for i in range(n):
         for k in range(m):
             w = (phi[i - 1, k] + phi[i, k]) * curvature[i, k]

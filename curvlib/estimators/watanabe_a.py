@@ -1,7 +1,6 @@
 """Watanabe A, section 3.6: base Watanabe with tangent directions and the uniform normal."""
 
 from curvlib.estimators.watanabe import between, by_trapezoids
-from curvlib.kit.compiled import compiled
 from curvlib.kit.frame import Normal, canonical, kn, unit_normal
 
 LABEL = "Watanabe A"
@@ -9,7 +8,6 @@ SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#009E73", "marker": "<", "linestyle": "--", "markerfacecolor": "white"}
 
 
-@compiled
 def estimate(ring, normal: Normal = "uniform"):
     """K and H as in `watanabe`, with the angles phi_i between the tangent directions (3.23).
 

@@ -1,5 +1,7 @@
 """Watanabe B, section 3.6: the extreme normal curvatures are the principal ones."""
 
+import numpy as np
+
 from curvlib.kit.compiled import compiled
 from curvlib.kit.frame import Normal, kn, unit_normal
 
@@ -8,7 +10,6 @@ SOURCE = "https://doi.org/10.1109/ROBOT.2003.1241726"
 STYLE = {"color": "#009E73", "marker": ">", "linestyle": ":", "markerfacecolor": "white"}
 
 
-@compiled
 def estimate(ring, normal: Normal = "uniform"):
     """K = k1 k2 (2.3) and H = (k1 + k2) / 2 (2.4) of the largest and the smallest kn_i (3.16).
 
@@ -36,11 +37,21 @@ def estimate(ring, normal: Normal = "uniform"):
 
     Source: Surazhsky et al. (2003), section 3.6.
     """
-    curvature = kn(ring, unit_normal(ring, normal))
-    k1, k2 = curvature[0].copy(), curvature[0].copy()
-    for i in range(1, len(curvature)):
-        for k in range(len(k1)):
-            k1[k], k2[k] = max(k1[k], curvature[i, k]), min(k2[k], curvature[i, k])
-    for k in range(len(k1)):
-        k1[k], k2[k] = k1[k] * k2[k], (k1[k] + k2[k]) / 2
-    return k1, k2
+    return _of_extremes(kn(ring, unit_normal(ring, normal)))
+
+
+@compiled
+def _of_extremes(curvature):
+    """K and H (m,) of the largest and the smallest of the normal `curvature` (n, m)."""
+    n, m = curvature.shape
+    K, H = np.empty(m), np.empty(m)
+    for k in range(m):
+        K[k], H[k] = curvature[0, k], curvature[0, k]
+    for i in range(1, n):
+        for k in range(m):
+            x = curvature[i, k]
+            K[k] = x if x > K[k] else K[k]
+            H[k] = x if x < H[k] else H[k]
+    for k in range(m):
+        K[k], H[k] = K[k] * H[k], (K[k] + H[k]) / 2
+    return K, H

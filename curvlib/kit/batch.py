@@ -5,12 +5,11 @@ import math
 import numpy as np
 
 from .compiled import compiled
-from .ring import ROUNDING, owning_ring
+from .ring import ROUNDING, defined, owning_ring
 
 SMALLEST = np.finfo(float).tiny
 
 
-@compiled
 def gather(vertices, normals, centres, neighbours, start, end, unit):
     """Gather the Ring of the vertices centres[start:end].
 
@@ -33,6 +32,11 @@ def gather(vertices, normals, centres, neighbours, start, end, unit):
     -------
     Ring
     """
+    return defined(*_gather(vertices, normals, centres, neighbours, start, end, unit))
+
+
+@compiled
+def _gather(vertices, normals, centres, neighbours, start, end, unit):
     n, m = len(neighbours), end - start
     e, v, floors = np.empty((3, n, m)), np.empty((3, m)), np.empty(m)
     for k in range(m):

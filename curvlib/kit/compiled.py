@@ -21,14 +21,14 @@ from contextlib import suppress
 from pathlib import Path
 
 import numba
-from numba.core import caching, codegen, compiler, config, sigutils, typing
+from numba.core import caching, codegen, compiler, config, sigutils, types, typing
 from numba.core.compiler_lock import global_compiler_lock
 
 PACKAGE = Path(__file__).parents[1]
 UNUSED = 30 * 24 * 3600  # seconds after which code of another state of the package is removed
 
 
-def compiled(function=None, *, alone: bool = False):
+def compiled(function):
     """The function, compiled when first called with arguments of some types.
 
     A file of estimators from elsewhere may use it as those of the package do. The machine code is
@@ -38,22 +38,14 @@ def compiled(function=None, *, alone: bool = False):
     Numba compiles each kind of call once more for every array type, and a comparison of strings,
     an assignment to a slice, a reduction such as x.max() or an expression of whole arrays costs
     it 0.3 to 1.5 s: loops over elements are compiled in a tenth of that.
-
-    Parameters
-    ----------
-    alone : bool
-        Where compiled functions call it, optimise its code once before it is inlined, too. That
-        takes longer; without it LLVM leaves some nests of three loops scalar.
     """
-    if function is None:
-        return functools.partial(compiled, alone=alone)
     # No function is called through a C pointer, for which Numba would compile a second wrapper.
     jit = numba.njit(nogil=True, error_model="numpy", no_cfunc_wrapper=True)(function)
     if config.DISABLE_JIT:
         return jit
     if Path(function.__code__.co_filename).exists() and _folder():
         jit._cache = _Kept(function)
-    parts = _Parts(jit, _Optimised if alone else _Part)
+    parts = _Parts(jit)
     jit.get_call_template, jit.get_overload = parts.get_call_template, parts.get_overload
     return jit
 
@@ -74,22 +66,18 @@ class _Part(codegen.JITCodeLibrary):
         self._finalized = True
 
 
-class _Optimised(_Part):
-    """A part whose loops are vectorised before it is inlined."""
-
-    _optimize_final_module = codegen.JITCodeLibrary._optimize_final_module
-
-
 class _Parts:
     """The code of one function for its callers, by argument types."""
 
-    def __init__(self, jit, library):
-        self.jit, self.library, self.overloads = jit, library, {}
+    def __init__(self, jit):
+        self.jit, self.overloads = jit, {}
 
     def get_call_template(self, args, kws):
         """As `Dispatcher.get_call_template`."""
         pysig, args = self.jit._compiler.fold_argument_types(args, kws)
-        self._compile(tuple(args))
+        # Once for all integers, not for each constant.
+        args = tuple(types.unliteral(x) if isinstance(x, types.IntegerLiteral) else x for x in args)
+        self._compile(args)
         signatures = [code.signature for code, _ in self.overloads.values()]
         name = self.jit.py_func.__name__
         template = typing.make_concrete_template(f"CallTemplate({name})", name, signatures)
@@ -116,7 +104,7 @@ class _Parts:
                 return_type=None,
                 flags=flags,
                 locals={},
-                library=self.library(context.codegen(), self.jit.py_func.__qualname__),
+                library=_Part(context.codegen(), self.jit.py_func.__qualname__),
             )
             key = object()
             context.insert_user_function(key, code.fndesc, [code.library])

@@ -38,31 +38,30 @@ def least_squares(columns, cutoff):
         NaN for a system with a NaN.
     """
     D, U = _factors(columns)
-    x = _back_substituted(D, U)
-    for k in _weak(D, U, cutoff):
-        _truncated(D, U, k, x, cutoff)
+    x, bounds = _back_substituted(D, U), _bounds(D, U)
+    for k in range(len(bounds)):
+        if not bounds[k] > cutoff**2:
+            _truncated(D, U, k, x, cutoff)
     return x
 
 
 @compiled
-def regression(columns, cutoff):
-    """Least-squares solutions without a cut-off, and the systems that may need one.
+def regression(columns):
+    """Least-squares solutions without a cut-off, and how well the systems determine them.
 
     Parameters
     ----------
     columns : (4, rows, m)
         As in `least_squares`; overwritten.
-    cutoff : float
-        As in `least_squares`.
 
     Returns
     -------
     x : (3, m)
-    weak : (w,) int
-        Indices of the systems that may have a singular value below `cutoff` times the largest.
+    bounds : (m,)
+        Lower bounds of the square of the smallest singular value over the largest.
     """
     D, U = _factors(columns)
-    return _back_substituted(D, U), _weak(D, U, cutoff)
+    return _back_substituted(D, U), _bounds(D, U)
 
 
 @compiled
@@ -76,23 +75,26 @@ def fold(columns):
     """
     D, U = _factors(columns)
     _, rows, m = columns.shape
-    for i in range(4):
-        for row in range(rows):
+    for j in range(4):
+        for i in range(3):
             for k in range(m):
-                columns[i, row, k] = 0.0
-    for i in range(3):
-        for k in range(m):
-            scale = np.sqrt(D[i, k])
-            columns[i, i, k] = scale
-            for j in range(i + 1, 4):
-                columns[j, i, k] = scale * U[i, j, k]
+                columns[j, i, k] = math.sqrt(D[i, k]) * U[i, j, k]
+        for row in range(3, rows):
+            for k in range(m):
+                columns[j, row, k] = 0.0
 
 
 @compiled
 def _factors(columns):
     """D and U of columns (4, rows, m), overwritten."""
     _, rows, m = columns.shape
-    D, U = np.zeros((3, m)), np.zeros((3, 4, m))
+    D, U = np.empty((3, m)), np.empty((3, 4, m))
+    for i in range(3):
+        for k in range(m):
+            D[i, k] = 0.0
+        for j in range(4):
+            for k in range(m):
+                U[i, j, k] = 1.0 if i == j else 0.0
     # One pass over the rows both orthogonalises to a column and sums products with the next.
     for row in range(rows):
         for k in range(m):
@@ -106,7 +108,7 @@ def _factors(columns):
             U[0, 1, k] += a * b
             U[0, 2, k] += a * c
             U[0, 3, k] += a * z
-    _divide(U[0, 1:], D[0])
+    _divide(U, D, 0)
     for row in range(rows):
         for k in range(m):
             a = columns[0, row, k]
@@ -117,7 +119,7 @@ def _factors(columns):
             D[1, k] += b * b
             U[1, 2, k] += b * c
             U[1, 3, k] += b * z
-    _divide(U[1, 2:], D[1])
+    _divide(U, D, 1)
     for row in range(rows):
         for k in range(m):
             b = columns[1, row, k]
@@ -125,14 +127,14 @@ def _factors(columns):
             z = columns[3, row, k] - U[1, 3, k] * b
             D[2, k] += c * c
             U[2, 3, k] += c * z
-    _divide(U[2, 3:], D[2])
+    _divide(U, D, 2)
     return D, U
 
 
 @compiled
 def _back_substituted(D, U):
-    x = np.empty_like(D)
-    for k in range(x.shape[1]):
+    x = np.empty(D.shape)
+    for k in range(D.shape[1]):
         x[2, k] = U[2, 3, k]
         x[1, k] = U[1, 3, k] - U[1, 2, k] * x[2, k]
         x[0, k] = U[0, 3, k] - U[0, 1, k] * x[1, k] - U[0, 2, k] * x[2, k]
@@ -140,24 +142,23 @@ def _back_substituted(D, U):
 
 
 @compiled
-def _weak(D, U, cutoff):
-    """The systems whose |det R| / |R|^3, a lower bound of the ratio of the smallest singular value
-    to the largest, is not above the cut-off."""
-    weak = np.empty(D.shape[1], np.bool_)
-    for k in range(len(weak)):
+def _bounds(D, U):
+    """The square of |det R| / |R|^3, a lower bound of the smallest singular value over the
+    largest."""
+    bounds = np.empty(D.shape[1])
+    for k in range(len(bounds)):
         squares = D[0, k] * (1 + U[0, 1, k] ** 2 + U[0, 2, k] ** 2)
         squares += D[1, k] * (1 + U[1, 2, k] ** 2) + D[2, k]
-        bound = D[0, k] / squares * (D[1, k] / squares) * (D[2, k] / squares)
-        weak[k] = not bound > cutoff**2
-    return np.flatnonzero(weak)
+        bounds[k] = D[0, k] / squares * (D[1, k] / squares) * (D[2, k] / squares)
+    return bounds
 
 
 @compiled
-def _divide(products, squares):
-    """Divide products (j, m) with a column by its square (m,)."""
-    for j in range(len(products)):
-        for k in range(len(squares)):
-            products[j, k] /= squares[k] if squares[k] != 0 else 1.0
+def _divide(U, D, i):
+    """Divide the products with column i by its square."""
+    for j in range(i + 1, 4):
+        for k in range(D.shape[1]):
+            U[i, j, k] /= D[i, k] if D[i, k] != 0 else 1.0
 
 
 @compiled
@@ -167,20 +168,17 @@ def _truncated(D, U, k, x, cutoff):
     One-sided Jacobi (Hestenes 1958): rotations V make the columns of R V orthogonal; their lengths
     are the singular values.
     """
-    R, V, y = np.zeros((3, 3)), np.eye(3), np.empty(3)
+    R, V = np.empty((3, 4)), np.empty((3, 3))
     for i in range(3):
         scale = math.sqrt(D[i, k])
-        R[i, i], y[i] = scale, scale * U[i, 3, k]
-        for j in range(i + 1, 3):
+        for j in range(4):
             R[i, j] = scale * U[i, j, k]
+        for j in range(3):
+            V[i, j] = 1.0 if i == j else 0.0
     for _ in range(SWEEPS):
         for p in range(2):
             for q in range(p + 1, 3):
-                pp, pq, qq = 0.0, 0.0, 0.0
-                for i in range(3):
-                    pp += R[i, p] * R[i, p]
-                    pq += R[i, p] * R[i, q]
-                    qq += R[i, q] * R[i, q]
+                pp, pq, qq = _product(R, p, p), _product(R, p, q), _product(R, q, q)
                 if pq == 0:
                     continue
                 half = (qq - pp) / (2 * pq)
@@ -191,15 +189,22 @@ def _truncated(D, U, k, x, cutoff):
                     R[i, p], R[i, q] = cosine * (a - tangent * b), cosine * (b + tangent * a)
                     a, b = V[i, p], V[i, q]
                     V[i, p], V[i, q] = cosine * (a - tangent * b), cosine * (b + tangent * a)
-    squares, projections = np.zeros(3), np.zeros(3)
+    largest = 0.0
     for j in range(3):
-        for i in range(3):
-            squares[j] += R[i, j] * R[i, j]
-            projections[j] += R[i, j] * y[i]
-    largest = max(squares[0], squares[1], squares[2])
-    x[0, k], x[1, k], x[2, k] = 0.0, 0.0, 0.0
+        square = _product(R, j, j)
+        largest = square if square > largest else largest
+    for i in range(3):
+        x[i, k] = 0.0
     for j in range(3):
+        square = _product(R, j, j)
         # Below the cut-off times zero instead of skipped, so that NaN stays NaN.
-        inverse = 1 / squares[j] if squares[j] > cutoff**2 * largest else 0.0
+        inverse = 1 / square if square > cutoff**2 * largest else 0.0
+        projection = _product(R, j, 3) * inverse
         for i in range(3):
-            x[i, k] += V[i, j] * (projections[j] * inverse)
+            x[i, k] += V[i, j] * projection
+
+
+@compiled
+def _product(R, p, q):
+    """The dot product of two columns of R (3, 4)."""
+    return R[0, p] * R[0, q] + R[1, p] * R[1, q] + R[2, p] * R[2, q]

@@ -35,13 +35,16 @@ def unit_normal(ring, kind):
     InputError
         "exact", and the mesh has no normals.
     """
-    n, m = ring.areas.shape
+    facets, areas = ring.facets, ring.areas
+    n, m = areas.shape
     if kind == "exact":
         if ring.exact_normals.shape[1] != m:
             raise InputError("normal='exact' needs a mesh with normals; this one has none")
         return ring.exact_normals
-    facets, areas = ring.facets, ring.areas
-    N = np.zeros((3, m))
+    N = np.empty((3, m))
+    for c in range(3):
+        for k in range(m):
+            N[c, k] = 0.0
     by_area = kind == "area"
     for i in range(n):
         for k in range(m):
@@ -74,15 +77,16 @@ def canonical(ring, N):
         away from its normal has positive curvature: the paper's form, turned over. (x, y) is a
         multiple of T_i (3.23).
     """
-    _, n, m = ring.e.shape
+    e = ring.e
+    _, n, m = e.shape
     X, Y = _tangents(N)
     out = np.empty((3, n, m))
     for i in range(n):
         for k in range(m):
-            e = at(ring.e, i, k)
-            out[0, i, k] = dot(e, at(X, k))
-            out[1, i, k] = dot(e, at(Y, k))
-            out[2, i, k] = -dot(e, at(N, k))
+            edge = at(e, i, k)
+            out[0, i, k] = dot(edge, at(X, k))
+            out[1, i, k] = dot(edge, at(Y, k))
+            out[2, i, k] = -dot(edge, at(N, k))
     return out
 
 
@@ -102,9 +106,10 @@ def kn(ring, N):
         In 1/length, positive where the surface bends away from its normal.
     """
     e, squares = ring.e, ring.squares
-    out = np.empty_like(squares)
-    for i in range(out.shape[0]):
-        for k in range(out.shape[1]):
+    n, m = squares.shape
+    out = np.empty((n, m))
+    for i in range(n):
+        for k in range(m):
             out[i, k] = -2 * dot(at(e, i, k), at(N, k)) / squares[i, k]
     return out
 
@@ -149,7 +154,7 @@ def _tangents(N):
 
     Source: Duff et al. (2017), Building an orthonormal basis, revisited (JCGT 6, 1).
     """
-    X, Y = np.empty_like(N), np.empty_like(N)
+    X, Y = np.empty(N.shape), np.empty(N.shape)
     for k in range(N.shape[1]):
         x, y, z = at(N, k)
         sign = math.copysign(1.0, z)

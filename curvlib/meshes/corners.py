@@ -14,13 +14,12 @@ from curvlib.errors import InputError
 from curvlib.kit.compiled import compiled
 from curvlib.parallel import for_each
 
+from .walks import MANY, walk, walk_by_table
+
 # 2^SHIFT vertices make a bucket, whose corners stay in cache. SHIFT is at most 16: places in a
 # bucket are uint16.
 SHIFT = 14
 PART = 65536  # faces
-LAST = (1 << 32) - 1
-# From this valence on the walk finds the next pair by a hash table instead of a linear search.
-MANY = 64
 
 
 def one_rings(faces, total, threads: int = 1):
@@ -30,35 +29,43 @@ def one_rings(faces, total, threads: int = 1):
     `total`: the number of vertices; Mesh checks that int32 counts them and the corners. Raises
     InputError if a face refers to no vertex.
     """
-    # Read only as the faces of a Mesh: one array type, compiled once.
-    faces = faces.view()
-    faces.flags.writeable = False
+    faces = _frozen(faces)
     parts = [slice(k, k + PART) for k in range(0, len(faces), PART)]
     counts = np.zeros((len(parts), (total >> SHIFT) + 1), dtype=np.intp)
     places = np.zeros(counts.size + 1, dtype=np.intp)
     owners = np.empty(3 * len(faces), dtype=np.uint16)
     pairs = np.empty(3 * len(faces), dtype=np.int64)
     neighbours = np.empty(len(pairs), dtype=np.int32)
+    proper = [None] * len(parts)
 
     def count(part):
         # First touch: each thread faults in its own pages before all threads scatter into them.
         own = slice(3 * parts[part].start, 3 * parts[part].stop)
         owners[own][::2048], pairs[own][::512] = 0, 0
+        own = faces[parts[part]]
+        twice = _count(own, total, SHIFT, counts[part])
         # Mesh has checked its faces; without a copy the caller may have written to them since.
-        if not _count(faces[parts[part]], total, SHIFT, counts[part]):
+        if twice < 0:
             raise InputError("faces: changed since the mesh was made, to what is no vertex")
+        if twice > 0:
+            a, b, c = own.T
+            own = _frozen(own[(a != b) & (b != c) & (c != a)])
+            counts[part] = 0
+            _count(own, total, SHIFT, counts[part])
+        proper[part] = own
 
     def deal(part):
-        _deal(faces[parts[part]], SHIFT, starts[part], owners, pairs)
+        _deal(proper[part], SHIFT, starts[part], owners, pairs)
 
     def walk(bucket):
         first, own = bucket << SHIFT, slice(*ends[bucket : bucket + 2])
-        begin = np.zeros(min(1 << SHIFT, total - first) + 1, dtype=np.uint32)
-        ordered = np.empty_like(pairs[own])
-        _by_vertex(owners[own], pairs[own], begin, begin[:-1].copy(), ordered)
-        valence = np.diff(begin)
-        rings = np.zeros(int(valence.max(initial=0)) + 1, dtype=np.intp)
-        _close(ordered, begin, _table(valence), valence, rings)
+        some = min(1 << SHIFT, total - first)
+        begin, valence = np.zeros(some + 1, np.uint32), np.empty(some, np.uint32)
+        ordered, rings = np.empty(own.stop - own.start, np.int64), np.zeros(MANY, np.intp)
+        largest = _walks(owners[own], pairs[own], begin, valence, ordered, rings)
+        if largest >= MANY:
+            rings = np.append(rings, np.zeros(largest + 1 - MANY, np.intp))
+            _walks_by_table(ordered, begin, _table(largest), valence, rings)
         return list(_batches(ordered, begin, valence, rings, first, neighbours[own]))
 
     for_each(count, range(len(parts)), threads)
@@ -71,10 +78,16 @@ def one_rings(faces, total, threads: int = 1):
     return [batch for found in batches for batch in found]
 
 
-def _table(valence):
-    """Memory for `_walk_by_table` at the largest valence n: fewer than 4 n slots, and n pairs."""
-    largest = int(valence.max(initial=0))
-    return np.empty(5 * largest if largest >= MANY else 0, dtype=np.int64)
+def _table(n):
+    """Memory for `walk_by_table` of n pairs: fewer than 4 n slots, and n pairs."""
+    return np.empty(5 * n, dtype=np.int64)
+
+
+def _frozen(faces):
+    """Read only as the faces of a Mesh: one array type, compiled once."""
+    faces = faces.view()
+    faces.flags.writeable = False
+    return faces
 
 
 def _batches(pairs, begin, valence, rings, first, neighbours):
@@ -93,26 +106,25 @@ def _batches(pairs, begin, valence, rings, first, neighbours):
 
 
 @compiled
-def _covers(a, b, c):
-    """Whether a face names three vertices."""
-    return a != b and b != c and c != a
-
-
-@compiled
 def _count(faces, total, shift, counts):
-    """Add the corners of faces (F, 3) per bucket to counts (buckets,); False if an index is
-    not in 0 ... total - 1."""
-    most = np.uint64(total)
+    """Add the corners of faces (F, 3) per bucket to counts (buckets,). Returns the number of faces
+    that name a vertex twice; -1 if an index is not in 0 ... total - 1."""
+    most, twice = np.uint64(total), 0
     for f in range(len(faces)):
         a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
         # Unsigned, a negative index is a large one.
-        if np.uint64(a) >= most or np.uint64(b) >= most or np.uint64(c) >= most:
-            return False
-        if _covers(a, b, c):
-            counts[a >> shift] += 1
-            counts[b >> shift] += 1
-            counts[c >> shift] += 1
-    return True
+        if not (np.uint64(a) < most) & (np.uint64(b) < most) & (np.uint64(c) < most):
+            return -1
+        twice += (a == b) | (b == c) | (c == a)
+        a, b, c = a >> shift, b >> shift, c >> shift
+        if (a == b) & (b == c):
+            # One addition waits for the one before: a third of them, half the time.
+            counts[a] += 3
+        else:
+            counts[a] += 1
+            counts[b] += 1
+            counts[c] += 1
+    return twice
 
 
 @compiled
@@ -120,97 +132,66 @@ def _deal(faces, shift, places, owners, pairs):
     """Scatter vertices, relative to their bucket, and pairs of the corners, (corners,) each, from
     places (buckets,) on, which advance."""
     for f in range(len(faces)):
-        if _covers(faces[f, 0], faces[f, 1], faces[f, 2]):
-            for c in range(3):
-                v = faces[f, c]
-                place = places[v >> shift]
-                places[v >> shift] = place + 1
-                owners[place] = v - (v >> shift << shift)
-                pairs[place] = faces[f, (c + 1) % 3] << 32 | faces[f, (c + 2) % 3]
-
-
-@compiled
-def _by_vertex(owners, pairs, begin, place, ordered):
-    """Counting sort of the pairs by vertex: sets `ordered`, and `begin` (vertices + 1,) to the
-    first pair of each vertex there. `place` (vertices,) is overwritten."""
-    for row in range(len(owners)):
-        begin[owners[row] + np.uint32(1)] += 1
-    for v in range(len(place)):
-        place[v] = begin[v]
-        begin[v + 1] += begin[v]
-    for row in range(len(owners)):
-        v = owners[row]
-        ordered[place[v]] = pairs[row]
-        place[v] += 1
-
-
-@compiled
-def _close(pairs, begin, table, valence, rings):
-    """Order the pairs of each vertex as a walk around it and count it in rings[its valence]; set
-    the valence to zero where they do not close to one ring."""
-    for v in range(len(valence)):
-        own = pairs[begin[v] : begin[v + 1]]
-        if len(own) >= 3 and (_walk(own) if len(own) < MANY else _walk_by_table(own, table)):
-            rings[len(own)] += 1
+        a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
+        x, y, z = a >> shift, b >> shift, c >> shift
+        if (x == y) & (y == z):
+            at_a = places[x]
+            at_b, at_c = at_a + 1, at_a + 2
+            places[x] = at_a + 3
         else:
-            valence[v] = 0
+            at_a, at_b, at_c = _next(places, x), _next(places, y), _next(places, z)
+        owners[at_a], pairs[at_a] = a - (x << shift), b << 32 | c
+        owners[at_b], pairs[at_b] = b - (y << shift), c << 32 | a
+        owners[at_c], pairs[at_c] = c - (z << shift), a << 32 | b
 
 
 @compiled
-def _walk(pairs):
-    """Order the pairs of a vertex as a walk; whether that visits all and closes."""
-    n, start = len(pairs), pairs[0] >> 32
-    for i in range(1, n):
-        vertex = pairs[i - 1] & LAST
-        found = _find(vertex, pairs, i)
-        if vertex == start or found == n or _find(vertex, pairs, found + 1) < n:
-            return False
-        pairs[i], pairs[found] = pairs[found], pairs[i]
-    return pairs[n - 1] & LAST == start
-
-
-@compiled
-def _find(vertex, pairs, place):
-    """The first place, from `place` on, of a pair that starts with `vertex`, else len(pairs)."""
-    while place < len(pairs) and pairs[place] >> 32 != vertex:
-        place += 1
+def _next(places, bucket):
+    place = places[bucket]
+    places[bucket] = place + 1
     return place
 
 
 @compiled
-def _walk_by_table(pairs, table):
-    """As `_walk`, in O(n). The table maps a vertex to its pair, by open addressing; behind it the
-    walk is collected, since the table refers to places in `pairs`."""
-    n, bits = len(pairs), 1
-    while 1 << bits < 2 * n:
-        bits += 1
-    walked = 1 << bits
-    for slot in range(walked):
-        table[slot] = -1
-    for i in range(n):
-        slot = _slot(pairs[i] >> 32, pairs, table, bits)
-        if table[slot] >= 0:
-            return False
-        table[slot] = i
-    i = 0
-    for step in range(n):
-        table[walked + step] = pairs[i]
-        i = table[_slot(pairs[i] & LAST, pairs, table, bits)]
-        if i < 0 or (i == 0) != (step == n - 1):
-            return False
-    for step in range(n):
-        pairs[step] = table[walked + step]
-    return True
+def _walks(owners, pairs, begin, valence, ordered, rings):
+    """Sort pairs by vertex and order those of each vertex as a walk around it.
+
+    Sets `ordered` (corners,); `begin` (vertices + 1,), zeros before, to the first pair of each
+    vertex there; and `valence` (vertices,), zero where the pairs do not close to one ring. Counts
+    the rings by valence in rings (MANY,). Returns the largest number of pairs; those of MANY pairs
+    and more are not closed.
+    """
+    for row in range(len(owners)):
+        begin[owners[row] + np.uint32(1)] += 1
+    for v in range(len(valence)):
+        valence[v] = begin[v]
+        begin[v + 1] += begin[v]
+    # A counting sort; until a vertex is walked around, valence[v] is the place of its next pair.
+    for row in range(len(owners)):
+        v = owners[row]
+        ordered[valence[v]] = pairs[row]
+        valence[v] += 1
+    largest = 0
+    for v in range(len(valence)):
+        own = ordered[begin[v] : begin[v + 1]]
+        n = len(own)
+        largest = n if n > largest else largest
+        valence[v] = 0
+        if 3 <= n < MANY and walk(own):
+            valence[v] = n
+            rings[n] += 1
+    return largest
 
 
 @compiled
-def _slot(vertex, pairs, table, bits):
-    """The slot of a vertex in a table of 2^bits, or the empty slot for it (Fibonacci hashing,
-    linear probing: Knuth, volume 3, section 6.4)."""
-    slot = (vertex * 2654435769 & LAST) >> (32 - bits)
-    while table[slot] >= 0 and pairs[table[slot]] >> 32 != vertex:
-        slot = (slot + 1) & ((1 << bits) - 1)
-    return slot
+def _walks_by_table(ordered, begin, table, valence, rings):
+    """As `_walks` of the sorted pairs, where there are MANY and more."""
+    for v in range(len(valence)):
+        own = ordered[begin[v] : begin[v + 1]]
+        n = len(own)
+        if n >= MANY and walk_by_table(own, table):
+            valence[v] = n
+            rings[n] += 1
 
 
 @compiled

@@ -13,9 +13,27 @@ from pathlib import Path
 import pytest
 
 import curvlib
+from curvlib.kit.compiled import compiled
 from curvlib.meshes.torus import torus
 
 PACKAGE = Path(curvlib.__file__).parent
+
+
+@compiled
+def shifted(x, by):
+    return x + by
+
+
+@compiled
+def shifted_twice(x):
+    return shifted(x, 1) + shifted(x, 2)
+
+
+def test_a_function_is_compiled_once_for_all_constants():
+    assert shifted_twice(1.5) == 6
+    if hasattr(shifted, "signatures"):
+        assert len(shifted.get_overload.__self__.overloads) == 1
+
 
 STRANGER = """
 from curvlib.kit.compiled import compiled
