@@ -10,18 +10,25 @@ from .sentences import CLAIMS
 
 
 def counted(row, column) -> str:
-    """`3 (+1) of 5`: true on three of the five surfaces that are not degenerate and undecided on
-    one more; a claim about all surfaces together: `yes`, `no` or `undecided`."""
-    if f"{column}_true" not in row or pd.isna(row[f"{column}_true"]):
+    """On how many of the surfaces that are not degenerate a claim holds.
+
+    `0 / 3 / 3 of 5` of a claim about the ranking: always, at every n >= 24, at the finest n;
+    `5 (+1) of 7` of another: true, and undecided on one more; `yes`, `no` or `undecided` of a claim
+    about all surfaces together.
+    """
+    if pd.isna(row.get(f"{column}_true")):
         return "-"
     true, degenerate, undecided = (
         int(row[f"{column}_{holds}"]) for holds in ("true", "degenerate", "undecided")
     )
-    if CLAIMS[row["claim"]].together:
+    claim, of = CLAIMS[row["claim"]], int(row["of"]) - degenerate
+    if claim.together:
         return "yes" if true else "undecided" if undecided else "no"
-    more = f" (+{undecided})" if undecided else ""
-    of = int(row["of"]) - degenerate
-    return f"{true}{more} of {of}" if of else "degenerate"
+    if not of:
+        return "degenerate"
+    if claim.by_n and f"{column}_at_finest" in row:
+        return f"{true} / {row[f'{column}_from_24']} / {row[f'{column}_at_finest']} of {of}"
+    return f"{true}{f' (+{undecided})' if undecided else ''} of {of}"
 
 
 def in_words(table: pd.DataFrame) -> str:
@@ -42,14 +49,14 @@ def in_words(table: pd.DataFrame) -> str:
 COLUMNS = {
     "on the paper's meshes": "default",
     "refined to n = {finest}": "default_refined",
-    "on other cuts": "default_cuts",
+    "on every other cut": "default_cuts",
     "best explanation": BEST,
 }
 
 
-def answer(table, explanations, convergence, finest: int) -> str:
-    """The answer for the README in Markdown, its sentences and a table: from claims-summary.csv,
-    explanations.csv and convergence.csv; `finest`: the largest n."""
+def answer(table, found: dict, finest: int) -> str:
+    """The answer for the README in Markdown, its sentences and a table, from claims-summary.csv and
+    `findings`; `finest`: the largest n."""
     shown = pd.DataFrame({"": table.claim, "the paper says": table.sentence})
     rows = table.to_dict("records")
     for heading, column in COLUMNS.items():
@@ -57,9 +64,9 @@ def answer(table, explanations, convergence, finest: int) -> str:
         if set(cells) != {"-"}:
             shown[heading.format(finest=finest)] = cells
     body = shown.to_markdown(index=False, disable_numparse=True)
-    found = [said for said in findings(table, explanations, convergence).values() if said]
-    items = [textwrap.fill(f"* {said}", 100, subsequent_indent="  ") for said in found]
-    parts = [headline(rows), "\n".join(items), body]
+    said = [found[name] for name in ("ranking", "explanation", "irregular") if found[name]]
+    items = [textwrap.fill(f"* {words}", 100, subsequent_indent="  ") for words in said]
+    parts = [headline(rows) if said else "", "\n".join(items), body]
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
@@ -78,43 +85,78 @@ def headline(rows) -> str:
 
 
 def _in_short(row, column):
-    of = int(row["of"]) - int(row[f"{column}_degenerate"])
+    of, finest = _of(row, column), int(row[f"{column}_at_finest"])
     if not of:
         return "nothing to rank"
     if int(row[f"{column}_true"]) == of:
         return "yes"
-    return "in part" if 2 * _at_finest(row, column) > of else "no"
+    return "in part, at fine resolutions" if 2 * finest > of else "no"
 
 
-def findings(table, explanations, convergence) -> dict:
+def findings(table, explanations, convergence, elsewhere) -> dict:
     """What was found, in sentences that follow from the tables: `ranking`, `explanation`,
-    `irregular`; empty where the study does not say."""
+    `irregular`; empty where the study does not say. `elsewhere`: from `summary.on_other_cuts`."""
     rows = {row["claim"]: row for row in table.to_dict("records")}
     found = dict.fromkeys(("ranking", "explanation", "irregular"), "")
-    if not {1, 2} <= set(rows):
+    if not {1, 2} <= set(rows) or set(NINE) - set(convergence.estimator):
         return found
     found["ranking"] = (
-        "With the misprints of the text corrected, and on meshes like the paper's, for K the "
-        f"Gauss-Bonnet scheme is {_best_on(rows[1], 'default')}; for H paraboloid fitting is "
-        f"{_best_on(rows[2], 'default')}."
+        "With the misprints of the text corrected, and on meshes like the paper's, the "
+        f"Gauss-Bonnet scheme is the best of the nine for K {_best_on(rows[1], 'default')}; "
+        f"paraboloid fitting is the best for H {_best_on(rows[2], 'default')}."
     )
+    cuts = {cut: counts["claim_2"] for cut, counts in elsewhere["at_finest"].items()}
+    if cuts and max(cuts.values()) > rows[2]["default_at_finest"]:
+        cut = max(cuts, key=cuts.get)
+        found["ranking"] += f" On the same grids cut otherwise it is on up to {cuts[cut]} ({cut})."
     searched = search(explanations)
     if searched:
         options = searched["options"]
+        also = "".join(f" ({', '.join(other)} scores the same)" for other in searched["equals"][:1])
         found["explanation"] = (
-            f"A search of all {searched['joint']} joint readings of the text found the one that "
-            f"explains the paper best: {in_plain_words(options)}. With it, for K the "
-            f"Gauss-Bonnet scheme is {_best_on(rows[1], BEST)}; for H paraboloid fitting is "
-            f"{_best_on(rows[2], BEST)}."
+            f"A search of all {searched['joint']} joint readings of the text found what explains "
+            f"the paper best: {in_plain_words(options)}{also}. With it the Gauss-Bonnet scheme is "
+            f"the best for K {_best_on(rows[1], BEST)}, and paraboloid fitting for H "
+            f"{_best_on(rows[2], BEST)}." + _needed(searched, rows[2])
         )
-        gained = _at_finest(rows[2], BEST) > _at_finest(rows[2], "default")
-        if options.get("dihedral") == "as-printed" and gained:
-            found["explanation"] += (
-                " So not the method, but a misprint that was also in the program would give the "
-                "paper's advice on H: an explanation that fits, not a proof."
-            )
     found["irregular"] = irregular(convergence)
     return found
+
+
+def _needed(searched, row):
+    """Which choices of the best explanation it cannot do without for claim 2."""
+    lost = {
+        option: searched["neighbours"][f"{option}={value}"]["claim_2"]
+        for option, value in (("dihedral", "signed"), ("pairs", "opposite"))
+        if f"{option}={value}" in searched["neighbours"]
+    }
+    printed = searched["options"].get("dihedral") == "as-printed"
+    if not printed or len(lost) < 2 or 2 * max(lost.values()) > row[f"{BEST}_at_finest"]:
+        return ""
+    return (
+        " So the advice on H would come not from the method but from a misprint that was also run, "
+        "together with loose circle pairs; with the signed angle paraboloid fitting is the best on "
+        f"{lost['dihedral'] or 'none'}, with opposite pairs on {lost['pairs'] or 'none'}. This is "
+        "an explanation that fits, not a proof."
+    )
+
+
+def _best_on(row, column):
+    """`on 5 of 7 surfaces at the finest resolution, and on none at every one`."""
+    of, degenerate = _of(row, column), int(row[f"{column}_degenerate"])
+    finest, true = int(row[f"{column}_at_finest"]), int(row[f"{column}_true"])
+    if not finest:
+        words = f"on none of {of} surfaces, not even at the finest resolution"
+    elif true == finest:
+        words = f"at every resolution on {true} of {of} surfaces"
+    else:
+        words = f"on {finest} of {of} surfaces at the finest resolution, and on {true or 'none'} "
+        words += "at every one"
+    return words + (f" ({degenerate} more have nothing to rank)" if degenerate else "")
+
+
+def _of(row, column):
+    return int(row["of"]) - int(row[f"{column}_degenerate"])
 
 
 def irregular(convergence) -> str:
@@ -140,24 +182,6 @@ def irregular(convergence) -> str:
         f"exact ones. With these, {named('random', 'exact-normals')} does on random diagonals and "
         f"{named('alternate', 'exact-normals')} on alternate ones."
     )
-
-
-def _at_finest(row, column):
-    return int(row[f"{column}_true"]) + int(row[f"{column}_undecided"])
-
-
-def _best_on(row, column):
-    """`the best of the nine at the finest resolution on 5 of 7 surfaces, and always on none`."""
-    true, degenerate = int(row[f"{column}_true"]), int(row[f"{column}_degenerate"])
-    of, finest = int(row["of"]) - degenerate, _at_finest(row, column)
-    if not finest:
-        words = f"the best of the nine on none of {of} surfaces, not even at the finest resolution"
-    elif true == finest:
-        words = f"always the best of the nine on {true} of {of} surfaces"
-    else:
-        words = f"the best of the nine at the finest resolution on {finest} of {of} surfaces, and "
-        words += f"always on {true or 'none'}"
-    return words + (f" (on {degenerate} more the two best have no error)" if degenerate else "")
 
 
 NAMES = {

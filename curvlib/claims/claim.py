@@ -12,25 +12,27 @@ import numpy as np
 
 from .cell import NINE, Holds
 
-Claim = namedtuple("Claim", "number section sentence measure limit holds about together decide")
+Claim = namedtuple(
+    "Claim", "number section sentence measure limit holds about together by_n decide"
+)
 Verdict = namedtuple("Verdict", "holds effect evidence from_n", defaults=[np.nan])
 CLAIMS = {}  # by number
 
 
-def claim(number, section, sentence, measure, limit, holds, about=NINE, together=False):
+def claim(number, section, sentence, measure, limit, holds, about=NINE, together=False, by_n=False):
     """Register a predicate under a number.
 
     `section` of the paper; `measure`: what the effect is; `limit`: the effect at which the verdict
     changes; `holds`: when it is true; `about`: the estimators without which it is undecided;
-    `together`: it is about all surfaces, and is given the list of their cells. A predicate returns
-    None where its measurement was not made.
+    `together`: it is about all surfaces, and is given the list of their cells; `by_n`: it is
+    decided at each n. A predicate returns None where its measurement was not made.
     """
 
     def register(decide):
         if number in CLAIMS:
             raise ValueError(f"two claims have the number {number}")
         CLAIMS[number] = Claim(
-            number, section, sentence, measure, limit, holds, about, together, decide
+            number, section, sentence, measure, limit, holds, about, together, by_n, decide
         )
         in_order = sorted(CLAIMS.items())
         CLAIMS.clear()

@@ -95,7 +95,8 @@ def best(explanations, price=1) -> dict:
 
 def search(explanations) -> dict:
     """What the search found: `options` of the best explanation, `joint`: how many readings it was
-    chosen from, its `departures` and `score`, how many others have the same score (`equal`), the
+    chosen from, its `departures` and `score`, what is different in others of the same score
+    (`equals`: lists of `pairs=all`), the
     whole `prices` of a departure, 0 to 5, at which it is the best, and its `neighbours`: with one
     option changed (`dihedral=signed`) the number of surfaces by claim of RANKING at the finest n;
     `always`: the largest number of surfaces by claim of RANKING on which any of them makes it true
@@ -117,7 +118,11 @@ def search(explanations) -> dict:
         "joint": len(one),
         "departures": int(winner.departures),
         "score": int(winner.score),
-        "equal": int((one.score == winner.score).sum()) - 1,
+        "equals": [
+            [f"{o}={v}" for o, v in zip(options, other) if v != options[o]]
+            for other in one.index[one.score == winner.score]
+            if other != tuple(options.values())
+        ],
         "prices": [price for price in range(6) if best(explanations, price) == options],
         "neighbours": neighbours,
         "always": {
@@ -125,6 +130,52 @@ def search(explanations) -> dict:
         },
         "fine": FINE,
     }
+
+
+RULES = {
+    "the rule": {},
+    "no price": {"price": 0},
+    "price of 2": {"price": 2},
+    "price of 3": {"price": 3},
+    "price of 4": {"price": 4},
+    "at the finest n only": {"levels": LEVELS[:1]},
+    "always only": {"levels": LEVELS[2:]},
+    "shares of surfaces": {"shares": True},
+    "claims 1 and 2": {"claims": (1, 2)},
+    "claim 2": {"claims": (2,)},
+    "with claim 4": {"claims": (*RANKING, 4)},
+    "with claim 11": {"claims": (*RANKING, 11)},
+}
+
+
+def alternatives(explanations) -> pd.DataFrame:
+    """alternatives.csv: the winners of other rules of scoring, a row per rule and joint reading
+    with the largest score: `rule`, the options, and claims 1, 2 and 6 at the finest n.
+
+    With shares of surfaces each count is over the surfaces that are not degenerate, times seven.
+    """
+    found = []
+    for rule, changes in RULES.items() if len(explanations) else ():
+        found += [{"rule": rule} | winner for winner in _winners(explanations, **changes)]
+    return pd.DataFrame(found)
+
+
+def _winners(explanations, price=1, levels=LEVELS, claims=RANKING, shares=False):
+    options = list(explanations.columns[: explanations.columns.get_loc("claim")])
+    rows = explanations[explanations.claim.isin(claims)]
+    points = rows[list(levels)].sum(axis=1)
+    if shares:
+        points = points / (rows.of - rows.degenerate) * len(SEVEN)
+    score = points.groupby([rows[o] for o in options], sort=False).sum()
+    departures = rows.groupby(options, sort=False).departures.first()
+    score -= price * departures
+    # Sums of shares come out in another order.
+    for winner in score.index[score > score.max() - 1e-9]:
+        chosen = dict(zip(options, winner))
+        here = explanations[(explanations[options] == pd.Series(chosen)).all(axis=1)].set_index(
+            "claim"
+        )
+        yield chosen | {f"claim_{n}": int(here.at_finest[n]) for n in RANKING}
 
 
 def with_best(readings, explanations) -> pd.DataFrame:

@@ -2,8 +2,9 @@
 
 import pandas as pd
 
-from .cell import FAVOURITES, NINE, Holds, chosen, kendall_tau
+from .cell import FAVOURITES, NINE, SEVEN, Holds, chosen, kendall_tau
 from .evidence import PAPER, QUADRIC, REFINED, TOGETHER, Evidence
+from .explanations import FINE, RANKING
 from .rankings import always_best
 from .sentences import CLAIMS
 
@@ -21,7 +22,8 @@ def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:
     `section`, `sentence`, `measure`, `limit`, `holds_if`: as stated in `sentences`. `of`: the
     number of the paper's surfaces, 1 for a claim about them together. `<reading>_true`,
     `_degenerate`, `_undecided`, `_false`: the surfaces with that verdict on the paper's meshes, in
-    each named reading; `<reading>_from_24`: those on which it holds at every n >= 24;
+    each named reading; `<reading>_at_finest`, `<reading>_from_24`: those on which it holds at the
+    finest n and at every n >= 24;
     `<reading>_stands`: true on most of those that are not degenerate. `<reading>_refined_true`
     etc.: the same up to the finest meshes of the paper's cut; `default_cuts_true` etc.: the worst
     over the other cuts. `turned_over_by`: the single changes of the default reading that change
@@ -53,11 +55,13 @@ def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:
         }
         for name in named:
             row |= {f"{name}_{holds}": n for holds, n in of_reading.loc[name].items()}
-            row[f"{name}_from_24"] = (here.from_n[here.reading == name] <= 24).sum()
+            row |= _by_n(here, name, name)
             row[f"{name}_stands"] = stands(of_reading).loc[name]
-        finer = _counts(refined[refined.claim == claim.number], "reading")
-        for name in finer.index.intersection(named):
-            row |= {f"{name}_refined_{holds}": n for holds, n in finer.loc[name].items()}
+        finer = refined[refined.claim == claim.number]
+        counts = _counts(finer, "reading")
+        for name in counts.index.intersection(named):
+            row |= {f"{name}_refined_{holds}": n for holds, n in counts.loc[name].items()}
+            row |= _by_n(finer, name, f"{name}_refined")
         elsewhere = others[(others.claim == claim.number) & (others.reading == "default")]
         if len(elsewhere):
             worst = elsewhere.groupby("surface").holds.agg(
@@ -75,6 +79,13 @@ def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:
     return pd.DataFrame(rows).convert_dtypes()
 
 
+def _by_n(cells, reading, column):
+    """On how many surfaces a claim holds at the finest n, and from n = 24 on."""
+    from_n = cells.from_n[cells.reading == reading]
+    counts = from_n.notna().sum(), (from_n <= FINE).sum()
+    return dict(zip((f"{column}_at_finest", f"{column}_from_24"), map(int, counts)))
+
+
 def _counts(cells, column):
     """For each value of a column, the number of surfaces per verdict."""
     return pd.crosstab(cells[column], cells.holds).reindex(columns=HOLDS, fill_value=0)
@@ -83,6 +94,29 @@ def _counts(cells, column):
 def stands(counts: pd.DataFrame) -> pd.Series:
     """Whether a claim is true on more than half of the surfaces that are not degenerate."""
     return 2 * counts["true"] > counts.sum(axis=1) - counts["degenerate"]
+
+
+def on_other_cuts(decided) -> dict:
+    """What the refined rows of claims.csv say of the ranking on other cuts.
+
+    `at_finest`: cut -> claim of RANKING (`claim_2`) -> on how many of the paper's surfaces it holds
+    by default at the finest n; `whole_ranking`: (reading, cut, surface) where all three are true at
+    every n.
+    """
+    cut = decided.diagonal[decided.meshes == PAPER].iloc[0]
+    others = decided[(decided.meshes == REFINED) & (decided.diagonal != cut)]
+    others = others[others.claim.isin(RANKING) & others.surface.isin(SEVEN)]
+    default = others[others.reading == "default"]
+    at_finest = default.from_n.notna().groupby([default.diagonal, default.claim], sort=False).sum()
+    found = {}
+    for (diagonal, claim), count in at_finest.items():
+        found.setdefault(diagonal, {})[f"claim_{claim}"] = int(count)
+    true = (others.holds == "true").groupby([others.reading, others.diagonal, others.surface])
+    whole = true.sum()
+    return {
+        "at_finest": found,
+        "whole_ranking": [list(place) for place in whole.index[whole == len(RANKING)]],
+    }
 
 
 def agreement(readings, variants) -> pd.DataFrame:

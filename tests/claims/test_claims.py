@@ -190,10 +190,13 @@ def test_second_is_second_behind_gauss_bonnet():
 
 
 def test_the_two_best_and_the_one():
-    assert decide(10).effect == 1
+    assert decide(10).effect == pytest.approx(0.2 / 3)
+    # One of the two may be far behind for the quantity that it is not for.
     worse = with_mean("K", "paraboloid", np.full(6, 100.0))
-    assert decide(10, mean=worse).holds == FALSE
+    assert decide(10, mean=worse).holds == TRUE
     assert decide(11, mean=worse).holds == FALSE
+    beaten = with_mean("H", "taubin", np.full(6, 0.01))
+    assert decide(10, mean=beaten).holds == FALSE
     better = with_mean("K", "paraboloid", np.full(6, 0.1))
     assert decide(11, mean=better).holds == TRUE
 

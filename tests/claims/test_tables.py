@@ -9,7 +9,15 @@ import pytest
 from curvlib.claims import answer, summary
 from curvlib.claims.cell import FAVOURITES, NINE, SEVEN
 from curvlib.claims.evidence import decide
-from curvlib.claims.explanations import BEST, best, departures, explain, marginals, with_best
+from curvlib.claims.explanations import (
+    BEST,
+    alternatives,
+    best,
+    departures,
+    explain,
+    marginals,
+    with_best,
+)
 from curvlib.claims.explanations import search as found_by
 from curvlib.claims.sentences import CLAIMS
 from curvlib.comparison import accuracy
@@ -178,7 +186,7 @@ def test_the_best_explanation_is_searched():
     told = found_by(explanations)
     assert told["options"] == best(explanations)
     assert (told["joint"], told["departures"], told["score"]) == (2, 1, 62)
-    assert (told["equal"], told["prices"]) == (0, [0, 1, 2, 3, 4, 5])
+    assert (told["equals"], told["prices"]) == ([], [0, 1, 2, 3, 4, 5])
     assert told["neighbours"] == {"dihedral=signed": {"claim_1": 7, "claim_2": 0, "claim_6": 7}}
     assert told["always"] == {"claim_1": 7, "claim_2": 7, "claim_6": 7}
     named = with_best(readings, explanations)
@@ -230,7 +238,7 @@ def decided_rows(counts, surfaces=SEVEN):
     """Rows of claims.csv for all claims: (reading, meshes, diagonal) -> verdicts on surfaces."""
     return pd.DataFrame(
         {"claim": number, "surface": surface, "diagonal": diagonal, "reading": reading}
-        | {"meshes": meshes, "holds": holds, "from_n": 24 if holds != "false" else np.nan}
+        | {"meshes": meshes, "holds": holds, "from_n": 24 if holds in "true undecided" else np.nan}
         | {"effect": 1.0, "evidence": ""}
         for (reading, meshes, diagonal), verdicts in counts.items()
         for number, claim in CLAIMS.items()
@@ -270,7 +278,7 @@ def test_summary_counts_each_kind_of_mesh_apart():
     assert row[f"{BEST}_true"] == 5
     # Three of the five that are not degenerate; with `loose` none of them.
     assert row.default_stands
-    assert row.default_from_24 == 6
+    assert row.default_from_24 == row.default_at_finest == 4
     assert row.turned_over_by == "loose"
     assert row.turned_over_on == "random-1"
     together = table[table.claim == 7].iloc[0]
@@ -304,49 +312,73 @@ def test_the_answer_follows_the_tables():
     """Counts, and sentences that say otherwise where the claims come out otherwise."""
     _, explanations = search()
     table = summary.summary(some_claims(), READINGS)
-    text = answer.answer(table, explanations, NONE, 256)
+    elsewhere = summary.on_other_cuts(some_claims())
+    found = answer.findings(table, explanations, NONE, elsewhere)
+    text = answer.answer(table, found, 256)
     lines = [[cell.strip() for cell in line.split("|")] for line in text.splitlines()]
     lines = [cells for cells in lines if len(cells) > 4]
     assert lines[0][3:7] == [
         "on the paper's meshes",
         "refined to n = 256",
-        "on other cuts",
+        "on every other cut",
         "best explanation",
     ]
-    assert lines[2][3:7] == ["3 (+1) of 5", "1 (+2) of 5", "3 of 7", "5 of 7"]
+    # Always, from n = 24 on, at the finest; what is not true in the made-up claims holds from 24.
+    assert lines[2][3:7] == ["3 / 4 / 4 of 5", "1 / 3 / 3 of 5", "3 of 7", "5 / 5 / 5 of 7"]
+    assert lines[5][3:7] == ["3 (+1) of 5", "1 (+2) of 5", "3 of 7", "5 of 7"]
     assert lines[8][3:7] == ["yes", "yes", "no", "yes"]
     head = " ".join(text.split("\n\n")[0].split())
-    assert head.startswith("**The answer**: for K in part, for H in part. In the reading that")
-    assert head.endswith("explains the paper best: for K in part, for H in part.")
-    assert text.split("\n\n")[1].startswith("* With the misprints")
-    none = answer.answer(
-        table.drop(columns=[c for c in table if BEST in c]), explanations[:0], NONE[:0], 64
-    )
-    assert "best explanation" not in none
-    assert "refined to n = 64" in none
-    assert none.count("\n* ") == 1
-    assert none.startswith("**The answer**: for K in part, for H in part.\n\n* With")
+    assert head.startswith("**The answer**: for K in part, at fine resolutions, for H in part, at")
+    assert "explains the paper best: for K in part" in head
     words = answer.in_words(table)
     assert words.count("\n") == len(CLAIMS)
     assert "3 (+1) of 5 on the paper's meshes, 1 (+2) of 5 refined" in words
     assert "changes with loose" in words
+    plain = table.drop(columns=[c for c in table if BEST in c])
+    none = answer.answer(plain, answer.findings(plain, explanations[:0], NONE, elsewhere), 64)
+    assert "explains" not in none
+    assert "refined to n = 64" in none
+    assert none.count("\n* ") == 2
 
 
 def test_findings_in_studies_that_come_out_otherwise():
     _, explanations = search()
-    table = summary.summary(some_claims(), READINGS)
-    found = answer.findings(table, explanations, NONE)
-    assert "at the finest resolution on 4 of 5 surfaces, and always on 3 (on 2" in found["ranking"]
-    assert "A search of all 2 joint readings" in found["explanation"]
-    assert "(3.13) literally as printed" in found["explanation"]
-    assert "always the best of the nine on 5 of 7 surfaces" in found["explanation"]
-    assert "misprint" in found["explanation"], "five surfaces instead of four"
-    worse = answer.findings(summary.summary(some_claims(0), READINGS), explanations, NONE)
-    assert "on none of 7 surfaces, not even at the finest" in worse["explanation"]
-    assert "misprint" not in worse["explanation"]
+    elsewhere = {"at_finest": {}, "whole_ranking": []}
+
+    def found(best_true=5, rows=explanations, kept=NONE, cuts=elsewhere):
+        table = summary.summary(some_claims(best_true), READINGS)
+        return answer.findings(table, rows, kept, cuts)
+
+    assert "for H on 4 of 5 surfaces at the finest resolution, and on 3" in found()["ranking"]
+    assert "cut otherwise" not in found()["ranking"]
+    cuts = {"at_finest": {"random-1": {"claim_2": 2}, "alternate": {"claim_2": 7}}}
+    assert "it is on up to 7 (alternate)." in found(cuts=cuts)["ranking"]
+    assert "A search of all 2 joint readings" in found()["explanation"]
+    assert "(3.13) literally as printed" in found()["explanation"]
+    assert "for H at every resolution on 5 of 7 surfaces" in found()["explanation"]
+    assert "on none of 7 surfaces, not even at the finest" in found(0)["explanation"]
     signed = explanations[explanations.dihedral == "signed"]
-    assert "the signed angle at each edge" in answer.findings(table, signed, NONE)["explanation"]
-    assert "misprint" not in answer.findings(table, signed, NONE)["explanation"]
+    assert "the signed angle at each edge" in found(rows=signed)["explanation"]
+    # Without one of the nine it is not said who is the best of them.
+    assert set(found(kept=NONE[NONE.estimator != "taubin"]).values()) == {""}
+
+
+def test_what_the_advice_on_H_needs_is_looked_up():
+    """A misprint is blamed only where it is in the winner, and where without it or without the
+    loose pairs the claim is lost."""
+    searched = {
+        "options": {"dihedral": "as-printed", "pairs": "all"},
+        "neighbours": {"dihedral=signed": {"claim_2": 0}, "pairs=opposite": {"claim_2": 1}},
+    }
+    row = {f"{BEST}_at_finest": 5}
+    needed = answer._needed(searched, row)
+    assert "misprint" in needed
+    assert "with the signed angle paraboloid fitting is the best on none, with opposite" in needed
+    assert needed.count("pairs on 1.") == 1
+    assert answer._needed(searched | {"options": {"dihedral": "signed"}}, row) == ""
+    enough = searched["neighbours"] | {"pairs=opposite": {"claim_2": 4}}
+    assert answer._needed(searched | {"neighbours": enough}, row) == ""
+    assert answer._needed(searched | {"neighbours": {}}, row) == ""
 
 
 @pytest.mark.parametrize(
@@ -354,7 +386,7 @@ def test_findings_in_studies_that_come_out_otherwise():
     [
         ([T] * 7, "yes"),
         ([T, D, T, T, D, T, T], "yes"),
-        ([U, U, U, U, F, F, F], "in part"),
+        ([U, U, U, U, F, F, F], "in part, at fine resolutions"),
         ([U, U, U, F, F, F, F], "no"),
         ([U, D, F, F, D, D, D], "no"),
         ([D] * 7, "nothing to rank"),
@@ -365,6 +397,25 @@ def test_the_answer_in_one_word(verdicts, word):
     assert (
         answer.headline(rows.to_dict("records")) == f"**The answer**: for K {word}, for H {word}."
     )
+
+
+def test_the_ranking_on_other_cuts():
+    found = summary.on_other_cuts(some_claims())
+    assert found["at_finest"]["alternate"] == {"claim_1": 7, "claim_2": 7, "claim_6": 7}
+    assert found["at_finest"]["random-1"]["claim_2"] == 3
+    places = [place for place in found["whole_ranking"] if place[1] == "alternate"]
+    assert places == [["default", "alternate", s] for s in sorted(SEVEN) if s != "sphere"]
+
+
+def test_other_rules_of_scoring_are_tried():
+    _, explanations = search()
+    table = alternatives(explanations).set_index("rule")
+    assert set(table.dihedral) == {"as-printed"}
+    assert table.loc["claim 2", "claim_2"] == 7
+    # Equal winners have a row each: both angles do as well where H does not count.
+    _, otherwise = search(worse=1.0)
+    assert len(alternatives(otherwise).query("rule == 'no price'")) == 2
+    assert alternatives(explanations[:0]).empty
 
 
 def test_what_converges_on_irregular_meshes_is_looked_up():

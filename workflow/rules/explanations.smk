@@ -7,6 +7,7 @@ rule explanations:
         errors=ERRORS,
     output:
         explanations=tabled("explanations"),
+        alternatives=tabled("alternatives"),
         marginals=tabled("marginals"),
         readings=tabled("readings"),
     log:

@@ -9,7 +9,7 @@ from curvlib.claims.answer import answer, findings, in_words
 from curvlib.claims.evidence import decide
 from curvlib.claims.explanations import search
 from curvlib.claims.guesses import guesses, readings_on_shapes
-from curvlib.claims.summary import agreement, decided_by_ties, summary
+from curvlib.claims.summary import agreement, decided_by_ties, on_other_cuts, summary
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
@@ -23,11 +23,13 @@ with logged(snakemake.log[0]):
     guesses(shapes, on_shapes).to_csv(output.guesses, index=False)
     table = summary(claims, tables["readings"])
     table.to_csv(output.summary, index=False)
-    told = findings(table, explanations, convergence) | {
+    elsewhere = on_other_cuts(claims)
+    told = findings(table, explanations, convergence, elsewhere) | {
         "search": search(explanations),
+        "on_other_cuts": elsewhere,
         "decided_by_ties": decided_by_ties(tables["readings"], tables["variants"]),
     }
     Path(output.findings).write_text(json.dumps(told, indent=1), encoding="utf-8")
-    words = answer(table, explanations, convergence, tables["variants"].n.max())
+    words = answer(table, told, tables["variants"].n.max())
     Path(output.answer).write_text(words, encoding="utf-8")
     Path(output.words).write_text(in_words(table), encoding="utf-8")
