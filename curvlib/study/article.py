@@ -14,7 +14,7 @@ QUOTED = ["default", "as-printed", "best-explanation", "exact-normals"]
 EXCERPTS = {
     "errors": {"norm": ["mean", "median"], "diagonal": ["same"], "reading": QUOTED},
     "ranks": {"diagonal": ["same"], "reading": QUOTED},
-    "claims": {"meshes": ["paper"], "reading": QUOTED},
+    "claims": {"diagonal": ["same"], "reading": QUOTED},
     "noise": {"surface": ["sphere", "teapot_body"], "quantity": ["K", "H"]},
 }
 
