@@ -213,6 +213,9 @@ taubin,sphere,16,-,K,0.01,0.75,0.5""",
     "tables/marginals.csv": """
 option,value,claim,mean,most
 dihedral,signed,2,0.5,3""",
+    "tables/alternatives.csv": """
+rule,dihedral
+no price,signed""",
     "tables/agreement.csv": """
 reading,quantity,surface,other,tau
 default,K,sphere,cone,0.5""",
@@ -273,7 +276,12 @@ def shown(tmp_path):
         ("at-finest(1)", ["sphere"]),
         ('at-finest(1, reading: "best-explanation")', ["sphere"]),
         ("at-finest(2)", []),
+        ('at-finest(1, meshes: "refined")', []),
+        ('with-verdict(1, "false", meshes: "refined")', ["sphere"]),
         ('effect(1, "sphere")', 0.5),
+        ('tau("K", "sphere", "cone")', 0.5),
+        ("alternatives.first().dihedral", "signed"),
+        ('reach-of("random", "default")', 8),
         ('effect(1, "sphere", reading: "best-explanation")', 0.9),
         ('error("sphere", "K", "taubin", norm: "median")', 0.25),
         ('rank("sphere", "K", "taubin")', 2),
@@ -334,7 +342,7 @@ def test_a_power_of_ten(shown):
         ("claim(3)", "claim 3"),
         ('name-of("watanabe")', "label of watanabe"),
         ('noise("cone", "K", "taubin", 0.01)', "noise trial cone/8/K/taubin/-/0.01"),
-        ('effect(2, "sphere")', "effect of claim 2/sphere/default"),
+        ('effect(2, "sphere")', "effect of claim 2/sphere/default/paper"),
         ('guess("claim_2", "other")', "claim_2 on random shapes other/all/all"),
         ('ring-slope("H", "taubin", 6, "regular")', "slope on rings 6/regular/H/taubin/-"),
         ("given(stands(1))[It is best.]", "do not bear out: It is best."),
