@@ -19,7 +19,7 @@ def verdicts(decided: pd.DataFrame, surfaces) -> pd.DataFrame:
 def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:
     """claims-summary.csv, from claims.csv and readings.csv: a row per claim.
 
-    `section`, `sentence`, `measure`, `limit`, `holds_if`: as stated in `sentences`. `of`: the
+    `section`, `sentence`, `measure`, `limit`, `holds_if`, `by_n`: as registered. `of`: the
     number of the paper's surfaces, 1 for a claim about them together. `<reading>_true`,
     `_degenerate`, `_undecided`, `_false`: the surfaces with that verdict on the paper's meshes, in
     each named reading; `<reading>_at_finest`, `<reading>_from_24`: those on which it holds at the
@@ -51,6 +51,7 @@ def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:
             "measure": claim.measure,
             "limit": claim.limit,
             "holds_if": claim.holds,
+            "by_n": claim.by_n,
             "of": here[here.reading == "default"].surface.nunique(),
         }
         for name in named:

@@ -195,10 +195,11 @@ default,taubin,-""",
 valence,ring,quantity,estimator,variant,slope
 6,regular,K,taubin,-,-2.01""",
     "tables/claims-summary.csv": """
-claim,sentence,of,default_true,default_degenerate,default_undecided,default_stands,best_true
-1,Always best.,7,2,2,3,False,
-2,Never best.,7,5,0,0,True,
-7,Similar.,1,0,0,1,False,""",
+claim,sentence,by_n,of,default_true,default_degenerate,default_undecided,default_from_24,\
+default_at_finest,default_stands,best_true
+1,Always best.,True,7,2,2,3,4,5,False,
+2,Never best.,False,7,4,0,1,,,True,
+7,Similar.,False,1,0,0,1,,,False,""",
     "tables/claims.csv": """
 claim,surface,diagonal,reading,meshes,holds,from_n,effect
 1,sphere,same,default,paper,true,8,0.5
@@ -296,8 +297,8 @@ def shown(tmp_path):
         ('noise("sphere", "K", "taubin", 0.01, n: 16)', 0.75),
         ('noise("sphere", "K", "taubin", 0.01, value: "response")', 0.125),
         ("counted(1)", {"yes": 2, "open": 3, "degenerate": 2, "of": 5}),
-        ('outcome(1, "default")', "2 (+3) of 5"),
-        ('outcome(2, "default")', "5 of 7"),
+        ('plain(outcome(1, "default"))', "2 / 4 / 5 of 5"),
+        ('outcome(2, "default")', "4 (+1) of 7"),
         ('outcome(7, "default")', "undecided"),
         ('plain(outcome(1, "best"))', "\N{EN DASH}"),
         ("stands(1)", False),
