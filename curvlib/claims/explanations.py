@@ -72,12 +72,17 @@ def _counts(number, rows):
 def departures(options: dict) -> int:
     """How many decisions of the printed text a joint reading departs from.
 
-    A normal of paraboloid's own is one more, so that the freedom is not free.
+    An option of one estimator (`paraboloid_normal`) is one more where it differs from that of all,
+    or from the print where the reading has none of all, so that the freedom is not free.
     """
     found = sum(DEPARTURES.get(option, {}).get(value, 0) for option, value in options.items())
-    return found + (
-        options.get("paraboloid_normal", options.get("normal")) != options.get("normal")
-    )
+    for option, value in options.items():
+        of_all = next((o for o in DEPARTURES if option.endswith(f"_{o}")), None)
+        if of_all in options:
+            found += value != options[of_all]
+        elif of_all:
+            found += DEPARTURES[of_all].get(value, 0)
+    return found
 
 
 def best(explanations, price=1) -> dict:
@@ -104,8 +109,9 @@ def search(explanations) -> dict:
     options = best(explanations)
     if not options:
         return {}
-    one = explanations.drop_duplicates(list(options)).set_index(list(options))
-    winner = one.loc[tuple(options.values())]
+    one = explanations.drop_duplicates(list(options))
+    same = (one[list(options)] == pd.Series(options)).all(axis=1)
+    winner = one[same].iloc[0]
     ranking = explanations[explanations.claim.isin(RANKING)]
     other = (ranking[list(options)] != pd.Series(options)).to_numpy()
     neighbours = {}
@@ -119,9 +125,8 @@ def search(explanations) -> dict:
         "departures": int(winner.departures),
         "score": int(winner.score),
         "equals": [
-            [f"{o}={v}" for o, v in zip(options, other) if v != options[o]]
-            for other in one.index[one.score == winner.score]
-            if other != tuple(options.values())
+            [f"{o}={v}" for o, v in other.items() if v != options[o]]
+            for other in one[~same & (one.score == winner.score)][list(options)].to_dict("records")
         ],
         "prices": [price for price in range(6) if best(explanations, price) == options],
         "neighbours": neighbours,
@@ -166,16 +171,15 @@ def _winners(explanations, price=1, levels=LEVELS, claims=RANKING, shares=False)
     points = rows[list(levels)].sum(axis=1)
     if shares:
         points = points / (rows.of - rows.degenerate) * len(SEVEN)
-    score = points.groupby([rows[o] for o in options], sort=False).sum()
-    departures = rows.groupby(options, sort=False).departures.first()
-    score -= price * departures
-    # Sums of shares come out in another order.
-    for winner in score.index[score > score.max() - 1e-9]:
-        chosen = dict(zip(options, winner))
-        here = explanations[(explanations[options] == pd.Series(chosen)).all(axis=1)].set_index(
-            "claim"
-        )
-        yield chosen | {f"claim_{n}": int(here.at_finest[n]) for n in RANKING}
+    groups = rows.assign(points=points.fillna(0)).groupby(options, sort=False)
+    joint = groups.agg(points=("points", "sum"), departures=("departures", "first")).reset_index()
+    joint["score"] = joint.points - price * joint.departures
+    # Sums of shares come out in another order. Without any point nothing explains the paper.
+    winners = joint[(joint.score > joint.score.max() - 1e-9) & joint.points.any()]
+    for winner in winners[options].to_dict("records"):
+        here = explanations[(explanations[options] == pd.Series(winner)).all(axis=1)]
+        at_finest = here.set_index("claim").at_finest
+        yield winner | {f"claim_{n}": int(at_finest[n]) for n in RANKING}
 
 
 def with_best(readings, explanations) -> pd.DataFrame:

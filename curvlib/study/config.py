@@ -15,6 +15,9 @@ from .readings import Readings, choices_of, stem_of
 
 SCHEMA = Path(__file__).with_name("config.schema.yaml")
 
+# The name of the reading that the search of joint readings adds.
+FOUND = "best-explanation"
+
 # Numbers that --config delivers as text, and the advice in the error message.
 AS_NUMBERS = re.compile(r"[\d.,\s\[\]]+")
 AS_TEXT = ", which is text: --config delivers no numbers, a file for --configfile does"
@@ -42,6 +45,8 @@ class Study(Readings):
             for block in config["more"]
         ]
         self.readings = {name: choice or {} for name, choice in config["readings"].items()}
+        if FOUND in self.readings:
+            raise InputError(f"config: readings: {FOUND!r} is what the search finds; rename it")
         self.more_readings = config["more_readings"]
         self.vary, self.product = config["vary"], config["product"]
         try:

@@ -211,6 +211,11 @@ def test_freedom_is_not_free():
     assert departures(printed | {"area": "mixed"}) == 2
     assert departures(printed | {"normal": "area", "paraboloid_normal": "area"}) == 1
     assert departures(printed | {"normal": "area"}) == 2
+    # An option of one estimator costs what that of all does.
+    for option, value in (("pairs", "all"), ("dihedral", "signed"), ("area", "mixed")):
+        assert departures({f"some_{option}": value}) == departures({option: value}) > 0
+    assert departures({"paraboloid_normal": "uniform"}) == 0
+    assert departures({"paraboloid_normal": "area"}) == 1
     _, explanations = search()
     # At a price above what claim 2 gains, the other would win if it departed less.
     dear = explanations.assign(
@@ -416,6 +421,18 @@ def test_other_rules_of_scoring_are_tried():
     _, otherwise = search(worse=1.0)
     assert len(alternatives(otherwise).query("rule == 'no price'")) == 2
     assert alternatives(explanations[:0]).empty
+    nothing = explanations.assign(**dict.fromkeys(("at_finest", "from_24", "always"), 0))
+    assert alternatives(nothing).empty
+
+
+def test_a_search_over_one_option():
+    _, explanations = search()
+    one = explanations.drop(columns="area")
+    assert best(one) == {"dihedral": "as-printed"}
+    assert found_by(one)["neighbours"]["dihedral=signed"]["claim_2"] == 0
+    assert found_by(one)["equals"] == []
+    assert set(alternatives(one).dihedral) == {"as-printed"}
+    assert set(marginals(one).option) == {"dihedral"}
 
 
 def test_what_converges_on_irregular_meshes_is_looked_up():

@@ -37,6 +37,8 @@ def test_an_interruption_is_one_line_without_a_traceback():
     """As in a shell, where Ctrl-C gives status 128 + SIGINT."""
     code = (
         "import os, signal, sys\n"
+        # A shell's background job inherits that it is ignored.
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "import curvlib.commands.fetch as verb\n"
         "from curvlib.commands.main import main\n"
         "verb.fetch = lambda *_: os.kill(os.getpid(), signal.SIGINT)\n"

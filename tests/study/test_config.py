@@ -8,7 +8,8 @@ import yaml
 
 import curvlib
 from curvlib.catalogue import estimators
-from curvlib.study.config import Study
+from curvlib.claims.explanations import BEST
+from curvlib.study.config import FOUND, Study
 
 ROOT = Path(__file__).parents[2]
 NINE = """
@@ -47,6 +48,7 @@ MISTAKES = [
         "reading 'a': unknown area 'halv'; did you mean 'half'?",
     ),
     ("readings: {default: {area: half}}", "default has to be {}, since it makes no choice"),
+    ("readings: {default: {}, best-explanation: {}}", "is what the search finds; rename it"),
     ("readings: {a: {area: half}}", "readings has to be names with choices"),
     ("more_readings: [default, hlaf]", "unknown reading 'hlaf'; did you mean 'half'?"),
     ("more_readings: [half]", "more_readings has to be a list of readings, default among them"),
@@ -206,3 +208,7 @@ def test_meshes(config):
         ("random-1", 12, True),
         ("same", 64, False),
     ]
+
+
+def test_the_name_of_what_the_search_finds_is_one():
+    assert FOUND == BEST
