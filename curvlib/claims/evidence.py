@@ -31,8 +31,9 @@ def decide(readings, variants, curves, noise, rings) -> pd.DataFrame:
     DataFrame
         `claims.csv`: claim, surface, diagonal, reading, `meshes` (`paper`: its resolutions and its
         cut; `refined`: up to the finest mesh, and other cuts), `holds` (true, false, undecided or
-        degenerate), `from_n` (from which resolution on it holds), `effect` and `evidence`. A claim
-        about an estimator that the reading does not have is undecided.
+        degenerate), `from_n` (from which resolution on it holds), `from_24` (whether it does at
+        every n >= 24, of which there is one), `effect` and `evidence`. A claim about an estimator
+        that the reading does not have is undecided.
     """
     evidence = Evidence(variants, curves, noise, rings)
     by_reading = readings[readings.kind != "product"].groupby("reading", sort=False)
@@ -40,8 +41,9 @@ def decide(readings, variants, curves, noise, rings) -> pd.DataFrame:
     return pd.DataFrame(rows, columns=COLUMNS).astype({"from_n": "Int64"})
 
 
-COLUMNS = ["claim", "surface", "diagonal", "reading", "meshes", "holds", "from_n", "effect"]
-COLUMNS += ["evidence"]
+COLUMNS = ["claim", "surface", "diagonal", "reading", "meshes", "holds", "from_n", "from_24"]
+COLUMNS += ["effect", "evidence"]
+FINE = 24  # "at fine meshes": from this n on
 
 
 class Evidence:
@@ -90,21 +92,21 @@ class Evidence:
             first = (cell.surface, cell.diagonal, name, meshes)
             for claim in CLAIMS.values():
                 if not claim.together:
-                    yield from _row(claim, *first, _verdict(claim, cell, variants))
+                    yield from _row(claim, *first, cell.n, _verdict(claim, cell, variants))
         for meshes, diagonal in dict.fromkeys((meshes, cell.diagonal) for meshes, cell in cells):
             here = [c for m, c in cells if (m, c.diagonal) == (meshes, diagonal)]
             seven = [cell for cell in here if cell.surface in SEVEN]
             for claim in CLAIMS.values():
                 if claim.together and seven:
                     verdict = _verdict(claim, seven, variants)
-                    yield from _row(claim, TOGETHER, diagonal, name, meshes, verdict)
+                    yield from _row(claim, TOGETHER, diagonal, name, meshes, here[0].n, verdict)
         if reading.counted.iloc[0] == VERTICES[0]:
             (claim,) = (claim for claim in CLAIMS.values() if claim.decide is orders)
             for kind in self.kinds:
                 curve = _present(self.rings, (kind,), variants)
                 cell = Cell(QUADRIC, kind, [0], {}, {}, {}, curve)
                 verdict = _verdict(claim, cell, variants)._replace(from_n=np.nan)
-                yield from _row(claim, QUADRIC, kind, name, REFINED, verdict)
+                yield from _row(claim, QUADRIC, kind, name, REFINED, cell.n, verdict)
 
     def cells(self, reading) -> list[tuple]:
         """(meshes, Cell) for every surface and cut of one reading, its rows of readings.csv."""
@@ -175,8 +177,10 @@ def _verdict(claim, measured, variants):
     return claim.decide(measured)
 
 
-def _row(claim, surface, diagonal, reading, meshes, verdict):
+def _row(claim, surface, diagonal, reading, meshes, n, verdict):
     if verdict is not None:
         first = (claim.number, surface, diagonal, reading, meshes)
-        last = (verdict.holds.value, verdict.from_n, verdict.effect, verdict.evidence)
+        fine = min((m for m in n if m >= FINE), default=-np.inf)
+        last = (verdict.holds.value, verdict.from_n, bool(verdict.from_n <= fine))
+        last += (verdict.effect, verdict.evidence)
         yield dict(zip(COLUMNS, first + last))

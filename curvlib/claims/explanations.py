@@ -3,14 +3,13 @@
 import pandas as pd
 
 from .cell import SEVEN, Holds
-from .evidence import Evidence
+from .evidence import COLUMNS, FINE, Evidence
 
 BEST = "best-explanation"
 
 # The paper's ranking, by n: best for K, best for H, second for K. What it concludes from them
 # (claims 3, 10, 11) would count them twice.
 RANKING = (1, 2, 6)
-FINE = 24  # "at fine meshes": from this n on
 
 # How many decisions of the printed text a value departs from; the values not named, none.
 DEPARTURES = {
@@ -46,7 +45,7 @@ def explain(readings, variants, curves) -> pd.DataFrame:
     found = []
     for name, reading in joint.groupby("reading", sort=False):
         options = dict(choice.split("=") for choice in name.split(","))
-        rows = pd.DataFrame(evidence.rows(reading))
+        rows = pd.DataFrame(evidence.rows(reading), columns=COLUMNS)
         counts = [_counts(number, of_claim) for number, of_claim in rows.groupby("claim")]
         ranking = [row for row in counts if row["claim"] in RANKING]
         score = sum(row[level] for row in ranking for level in LEVELS) - departures(options)
@@ -61,7 +60,7 @@ LEVELS = ("at_finest", "from_24", "always")
 def _counts(number, rows):
     levels = (
         rows.from_n.notna().sum(),
-        (rows.from_n <= FINE).sum(),
+        rows.from_24.sum(),
         (rows.holds == Holds.TRUE.value).sum(),
     )
     degenerate = (rows.holds == Holds.DEGENERATE.value).sum()

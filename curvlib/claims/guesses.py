@@ -61,6 +61,7 @@ def guesses(shapes, readings) -> pd.DataFrame:
         ranks = {
             cell.surface: cell.ranks["H"][-1][NINE.index("gauss_bonnet")]
             for _, cell in evidence.cells(reading)
+            if cell.complete["H"][-1]
         }
         for row in evidence.rows(reading):
             if row["claim"] in RANKING:
@@ -69,7 +70,7 @@ def guesses(shapes, readings) -> pd.DataFrame:
                 rows.append(
                     {"reading": name, "family": about.family[surface], "triangles": kind}
                     | {"surface": surface, "claim": row["claim"], "holds": row["holds"]}
-                    | {"rank": ranks[surface]}
+                    | {"rank": ranks.get(surface)}
                 )
     if not rows:
         return pd.DataFrame(columns=KEY)

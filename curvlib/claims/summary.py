@@ -4,7 +4,7 @@ import pandas as pd
 
 from .cell import FAVOURITES, NINE, SEVEN, Holds, chosen, kendall_tau
 from .evidence import PAPER, QUADRIC, REFINED, TOGETHER, Evidence
-from .explanations import FINE, RANKING
+from .explanations import RANKING
 from .rankings import always_best
 from .sentences import CLAIMS
 
@@ -82,8 +82,8 @@ def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:
 
 def _by_n(cells, reading, column):
     """On how many surfaces a claim holds at the finest n, and from n = 24 on."""
-    from_n = cells.from_n[cells.reading == reading]
-    counts = from_n.notna().sum(), (from_n <= FINE).sum()
+    cells = cells[cells.reading == reading]
+    counts = cells.from_n.notna().sum(), cells.from_24.sum()
     return dict(zip((f"{column}_at_finest", f"{column}_from_24"), map(int, counts)))
 
 

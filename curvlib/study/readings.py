@@ -89,20 +89,21 @@ class Readings:
         `kind`: `named` in the config, a `single` change, or a `product`, which is run on the
         paper's meshes alone and in the search for an explanation alone.
         """
-        kinds = dict.fromkeys(self.products(), "product")
-        kinds |= dict.fromkeys(self.single_changes(), "single")
-        kinds |= dict.fromkeys(self.readings, "named")
-        readings = self.all_readings() | self.products()
+        # A joint reading of one option has the name of a single change, and may be another.
+        of_kind = {"named": self.readings, "product": self.products()}
+        single = self.single_changes()
+        of_kind["single"] = {name: single[name] for name in single if name not in self.readings}
         return Rows(
             {
                 "reading": name,
-                "kind": kinds[name],
+                "kind": kind,
                 "estimator": stem_of(estimator),
                 "variant": variant(self.options(estimator, reading)),
                 "counted": reading.get("vertices", VERTICES[0]),
-                "more": name in self.more_readings,
+                "more": kind == "named" and name in self.more_readings,
             }
-            for name, reading in readings.items()
+            for kind in ("named", "single", "product")
+            for name, reading in of_kind[kind].items()
             for estimator in self.estimators
         )
 

@@ -19,6 +19,7 @@ from curvlib.claims.explanations import (
     with_best,
 )
 from curvlib.claims.explanations import search as found_by
+from curvlib.claims.guesses import guesses
 from curvlib.claims.sentences import CLAIMS
 from curvlib.comparison import accuracy
 
@@ -144,6 +145,20 @@ def test_the_paper_s_meshes_and_finer_ones_are_decided_apart():
     assert row.turned_over_by == ""
 
 
+def test_from_24_on_is_about_resolutions_that_are_there():
+    """It holds where the first n >= 24 is reached, and nowhere without one."""
+    for last, true in (([32], True), ([12], False)):
+        study = tables()
+        rows = study["variants"]
+        rows.loc[rows.n == 32, "n"] = last[0]
+        worse = (rows.estimator == "gauss_bonnet") & (rows.n < last[0])
+        rows.loc[worse, "mean"] *= 9
+        study["curves"] = accuracy.curves(rows, study["readings"])
+        decided = decide(**study)
+        one = decided[(decided.claim == 1) & (decided.surface == "sphere")].iloc[0]
+        assert bool(one.from_24) is true
+
+
 def joint(choices):
     """Readings of a search, one for each of the options given."""
     rows = [
@@ -244,7 +259,7 @@ def decided_rows(counts, surfaces=SEVEN):
     return pd.DataFrame(
         {"claim": number, "surface": surface, "diagonal": diagonal, "reading": reading}
         | {"meshes": meshes, "holds": holds, "from_n": 24 if holds in "true undecided" else np.nan}
-        | {"effect": 1.0, "evidence": ""}
+        | {"from_24": holds in "true undecided", "effect": 1.0, "evidence": ""}
         for (reading, meshes, diagonal), verdicts in counts.items()
         for number, claim in CLAIMS.items()
         for surface, holds in zip(["all"] if claim.together else surfaces, verdicts)
@@ -423,6 +438,28 @@ def test_other_rules_of_scoring_are_tried():
     assert alternatives(explanations[:0]).empty
     nothing = explanations.assign(**dict.fromkeys(("at_finest", "from_24", "always"), 0))
     assert alternatives(nothing).empty
+
+
+def test_without_one_of_the_seven_nothing_is_searched():
+    study = tables(surfaces=("mine",))
+    readings = joint([{"area": "third", "dihedral": "-"}])
+    found = explain(readings, study["variants"], study["curves"])
+    assert best(found) == {}
+
+
+def test_a_missing_error_has_no_rank_on_random_shapes():
+    study = tables(surfaces=("arc-00", "arc-01"))
+    shapes = study["variants"].assign(family="arc", elongation=2.0)
+    shapes = shapes[shapes.n == 32]
+    whole = guesses(shapes, study["readings"]).iloc[0]
+    assert (whole.shapes, whole.gauss_bonnet_H) == (2, 1)
+    last = shapes.estimator == "gauss_bonnet"
+    shapes.loc[last, "mean"] *= 100
+    assert guesses(shapes, study["readings"]).gauss_bonnet_H.iloc[0] == 9
+    shapes.loc[last & (shapes.surface == "arc-00"), "vertices"] -= 1
+    assert guesses(shapes, study["readings"]).gauss_bonnet_H.iloc[0] == 9
+    shapes.loc[last, "vertices"] = 0
+    assert guesses(shapes, study["readings"]).gauss_bonnet_H.isna().all()
 
 
 def test_a_search_over_one_option():

@@ -119,3 +119,14 @@ def test_curves_on_rings_are_those_that_the_study_runs(config):
         ("paraboloid", "normal=uniform", "Paraboloid, estimated normals"),
         ("paraboloid", "normal=exact", "Paraboloid, exact normals"),
     ]
+
+
+def test_an_option_may_be_searched_and_changed_alone(config):
+    """Both have the name `normal=uniform`, which for watanabe means two things."""
+    study = Study(config | {"product": ["normal"], "vary": ["normal"]})
+    rows = [row for row in study.rows() if row["reading"] == "normal=uniform"]
+    of_watanabe = {row["kind"]: row["variant"] for row in rows if row["estimator"] == "watanabe"}
+    assert "normal=uniform" in of_watanabe["single"]
+    assert "normal=area" in of_watanabe["product"]
+    products = {row["reading"] for row in study.rows() if row["kind"] == "product"}
+    assert len(products) == 3
