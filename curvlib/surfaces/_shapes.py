@@ -39,10 +39,14 @@ def revolve(degree, knots, profile, weights=None):
 
 def scale(surface, factors):
     """A surface with x, y and z multiplied by three factors."""
-    shape = (surface.ctrlpts_size_u, surface.ctrlpts_size_v)
-    net = np.reshape(surface.ctrlpts, (*shape, 3)) * factors
+    net = net_of(surface) * factors
     knots = (surface.knotvector_u, surface.knotvector_v)
-    return nurbs(surface.degree, knots, net, np.reshape(surface.weights, shape))
+    return nurbs(surface.degree, knots, net, np.reshape(surface.weights, net.shape[:2]))
+
+
+def net_of(surface):
+    """The control points of a surface, (nu, nv, 3)."""
+    return np.reshape(surface.ctrlpts, (surface.ctrlpts_size_u, surface.ctrlpts_size_v, 3))
 
 
 def teapot(part):

@@ -4,10 +4,8 @@ K and H of the body jump at u = 1 and u = 2; |H| reaches 26 on the rim (u < 1) a
 (u = 3), but 0.7 on the wall. The wall is one cubic piece in u, and C^2.
 """
 
-import numpy as np
-
 from . import teapot_body
-from ._shapes import nurbs
+from ._shapes import net_of, nurbs
 
 LABEL = "Teapot body, wall only"
 UP = "y"
@@ -16,6 +14,5 @@ UP = "y"
 def build():
     """u in [1, 2] runs from the joint with the rim to the widest circle, v in [0, 4] around."""
     body = teapot_body.build()
-    net = np.reshape(body.ctrlpts, (body.ctrlpts_size_u, body.ctrlpts_size_v, 3))
     # Inner knots have full multiplicity, so rows 3 to 6 are the wall's own net.
-    return nurbs(body.degree, ([1, 1, 1, 1, 2, 2, 2, 2], body.knotvector_v), net[3:7])
+    return nurbs(body.degree, ([1, 1, 1, 1, 2, 2, 2, 2], body.knotvector_v), net_of(body)[3:7])
