@@ -42,22 +42,21 @@ def one_rings(faces, total, threads: int = 1):
         # First touch: each thread faults in its own pages before all threads scatter into them.
         own = slice(3 * parts[part].start, 3 * parts[part].stop)
         owners[own][::2048], pairs[own][::512] = 0, 0
-        own = faces[parts[part]]
-        twice = _count(own, total, SHIFT, counts[part])
+        proper[part] = faces[parts[part]]
+        twice = _count(proper[part], total, SHIFT, counts[part])
         # Mesh has checked its faces; without a copy the caller may have written to them since.
         if twice < 0:
             raise InputError("faces: changed since the mesh was made, to what is no vertex")
         if twice > 0:
-            a, b, c = own.T
-            own = _frozen(own[(a != b) & (b != c) & (c != a)])
+            a, b, c = proper[part].T
+            proper[part] = _frozen(proper[part][(a != b) & (b != c) & (c != a)])
             counts[part] = 0
-            _count(own, total, SHIFT, counts[part])
-        proper[part] = own
+            _count(proper[part], total, SHIFT, counts[part])
 
     def deal(part):
         _deal(proper[part], SHIFT, starts[part], owners, pairs)
 
-    def walk(bucket):
+    def close(bucket):
         first, own = bucket << SHIFT, slice(*ends[bucket : bucket + 2])
         some = min(1 << SHIFT, total - first)
         begin, valence = np.zeros(some + 1, np.uint32), np.empty(some, np.uint32)
@@ -74,7 +73,7 @@ def one_rings(faces, total, threads: int = 1):
     starts = places[:-1].reshape(counts.shape[::-1]).T.copy()
     for_each(deal, range(len(parts)), threads)
     ends = places[:: len(parts)] if parts else []
-    batches = for_each(walk, range(len(ends) - 1), threads)
+    batches = for_each(close, range(len(ends) - 1), threads)
     return [batch for found in batches for batch in found]
 
 
