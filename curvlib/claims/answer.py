@@ -1,11 +1,11 @@
-"""The answer in words, from claims-summary.csv and explanations.csv."""
+"""The answer in words, from claims-summary.csv and what the search found."""
 
 import textwrap
 
 import pandas as pd
 
 from .cell import NINE, SEVEN
-from .explanations import BEST, search
+from .explanations import BEST
 from .sentences import CLAIMS
 
 
@@ -18,10 +18,8 @@ def counted(row, column) -> str:
     """
     if pd.isna(row.get(f"{column}_true")):
         return "-"
-    true, degenerate, undecided = (
-        int(row[f"{column}_{holds}"]) for holds in ("true", "degenerate", "undecided")
-    )
-    claim, of = CLAIMS[row["claim"]], int(row["of"]) - degenerate
+    true, undecided = (int(row[f"{column}_{holds}"]) for holds in ("true", "undecided"))
+    claim, of = CLAIMS[row["claim"]], _of(row, column)
     if claim.together:
         return "yes" if true else "undecided" if undecided else "no"
     if not of:
@@ -93,9 +91,10 @@ def _in_short(row, column):
     return "in part, at fine resolutions" if 2 * finest > of else "no"
 
 
-def findings(table, explanations, convergence, elsewhere) -> dict:
+def findings(table, searched: dict, convergence, elsewhere: dict) -> dict:
     """What was found, in sentences that follow from the tables: `ranking`, `explanation`,
-    `irregular`; empty where the study does not say. `elsewhere`: from `summary.on_other_cuts`."""
+    `irregular`; empty where the study does not say. `searched`: from
+    `explanations.search`; `elsewhere`: from `summary.on_other_cuts`."""
     rows = {row["claim"]: row for row in table.to_dict("records")}
     found = dict.fromkeys(("ranking", "explanation", "irregular"), "")
     if not {1, 2} <= set(rows) or set(NINE) - set(convergence.estimator):
@@ -109,7 +108,6 @@ def findings(table, explanations, convergence, elsewhere) -> dict:
     if cuts and max(cuts.values()) > rows[2]["default_at_finest"]:
         cut = max(cuts, key=cuts.get)
         found["ranking"] += f" On the same grids cut otherwise it is on up to {cuts[cut]} ({cut})."
-    searched = search(explanations)
     if searched:
         options = searched["options"]
         also = "".join(f" ({', '.join(other)} scores the same)" for other in searched["equals"][:1])
@@ -156,6 +154,7 @@ def _best_on(row, column):
 
 
 def _of(row, column):
+    """The number of surfaces that are not degenerate."""
     return int(row["of"]) - int(row[f"{column}_degenerate"])
 
 

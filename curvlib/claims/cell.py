@@ -97,6 +97,17 @@ class Cell:
         """Quantity -> ranks by mean error (r, 9)."""
         return {quantity: tied_ranks(errors) for quantity, errors in self.errors.items()}
 
+    @functools.cached_property
+    def best(self):
+        """Quantity -> name of the estimator with the least error at the finest n."""
+        return {q: NINE[errors[-1].argmin()] for q, errors in self.errors.items()}
+
+    def ranking(self, quantity):
+        """The ranks at the finest n, (9,) as a tuple; None if degenerate or an error is missing."""
+        if self.degenerate[quantity][-1] or not self.complete[quantity][-1]:
+            return None
+        return tuple(self.ranks[quantity][-1].tolist())
+
     def states(self, truths, *quantities) -> list[Holds]:
         """Verdicts at each n on a statement about the ranking by some quantities, true where
         `truths` (r,) is, unless it is degenerate or an error is missing."""

@@ -48,8 +48,9 @@ def explain(readings, variants, curves) -> pd.DataFrame:
         rows = pd.DataFrame(evidence.rows(reading), columns=COLUMNS)
         counts = [_counts(number, of_claim) for number, of_claim in rows.groupby("claim")]
         ranking = [row for row in counts if row["claim"] in RANKING]
-        score = sum(row[level] for row in ranking for level in LEVELS) - departures(options)
-        about = {"departures": departures(options), "score": score}
+        about = {"departures": departures(options)}
+        about["score"] = sum(row[level] for row in ranking for level in LEVELS)
+        about["score"] -= about["departures"]
         found += [options | row | about for row in counts]
     return pd.DataFrame(found, columns=None if found else ["claim", *LEVELS, "score"])
 
@@ -89,12 +90,7 @@ def best(explanations, price=1) -> dict:
 
     `price` of a departure; the score is at a price of 1.
     """
-    ranking = explanations[explanations.claim.isin(RANKING)]
-    if ranking.empty or not ranking[list(LEVELS)].to_numpy().any():
-        return {}
-    score = ranking.score + (1 - price) * ranking.departures
-    options = explanations.columns[: explanations.columns.get_loc("claim")]
-    return ranking.loc[score.idxmax(), options].to_dict()
+    return next(iter(_winners(explanations, price)), {})
 
 
 def search(explanations) -> dict:
@@ -159,26 +155,31 @@ def alternatives(explanations) -> pd.DataFrame:
     With shares of surfaces each count is over the surfaces that are not degenerate, times seven.
     """
     found = []
-    for rule, changes in RULES.items() if len(explanations) else ():
-        found += [{"rule": rule} | winner for winner in _winners(explanations, **changes)]
+    for rule, changes in RULES.items():
+        for winner in _winners(explanations, **changes):
+            here = explanations[(explanations[list(winner)] == pd.Series(winner)).all(axis=1)]
+            at_finest = here.set_index("claim").at_finest
+            counts = {f"claim_{n}": int(at_finest[n]) for n in RANKING}
+            found.append({"rule": rule} | winner | counts)
     return pd.DataFrame(found)
 
 
-def _winners(explanations, price=1, levels=LEVELS, claims=RANKING, shares=False):
+def _winners(explanations, price=1, levels=LEVELS, claims=RANKING, shares=False) -> list[dict]:
+    """The options of the joint readings with the largest score by a rule; none without any point,
+    which explains nothing."""
     options = list(explanations.columns[: explanations.columns.get_loc("claim")])
     rows = explanations[explanations.claim.isin(claims)]
+    if rows.empty:
+        return []
     points = rows[list(levels)].sum(axis=1)
     if shares:
         points = points / (rows.of - rows.degenerate) * len(SEVEN)
     groups = rows.assign(points=points.fillna(0)).groupby(options, sort=False)
     joint = groups.agg(points=("points", "sum"), departures=("departures", "first")).reset_index()
-    joint["score"] = joint.points - price * joint.departures
-    # Sums of shares come out in another order. Without any point nothing explains the paper.
-    winners = joint[(joint.score > joint.score.max() - 1e-9) & joint.points.any()]
-    for winner in winners[options].to_dict("records"):
-        here = explanations[(explanations[options] == pd.Series(winner)).all(axis=1)]
-        at_finest = here.set_index("claim").at_finest
-        yield winner | {f"claim_{n}": int(at_finest[n]) for n in RANKING}
+    score = joint.points - price * joint.departures
+    # Sums of shares come out in another order.
+    winners = joint[(score > score.max() - 1e-9) & joint.points.any()]
+    return winners[options].to_dict("records")
 
 
 def with_best(readings, explanations) -> pd.DataFrame:

@@ -68,7 +68,7 @@ def best_for_H(cell):
 )
 def best_pair(cell):
     states = map(Holds.all, zip(_best(cell, "K"), _best(cell, "H")))
-    best = {q: NINE[cell.errors[q][-1].argmin()] for q in FAVOURITES}
+    best = cell.best
     same = "the same" if best["K"] == best["H"] else "different ones"
     return decided_at_each_n(
         cell,
@@ -115,11 +115,8 @@ def second_for_K(cell):
 def similar_everywhere(cells):
     states, words, effects = [], [], []
     for quantity in FAVOURITES:
-        ranked = {
-            cell.surface: tuple(cell.ranks[quantity][-1].tolist())
-            for cell in cells
-            if cell.complete[quantity][-1] and not cell.degenerate[quantity][-1]
-        }
+        rankings = {cell.surface: cell.ranking(quantity) for cell in cells}
+        ranked = {surface: ranking for surface, ranking in rankings.items() if ranking}
         all_of_them = kendall_w(tuple(ranked.values()))
         without = [
             kendall_w(tuple(ranking for name, ranking in ranked.items() if name not in left_out))
@@ -160,12 +157,11 @@ def two_best(cell):
             for q in FAVOURITES
         ]
     )
-    best = {q: NINE[cell.errors[q][-1].argmin()] for q in FAVOURITES}
     return decided_at_each_n(
         cell,
         cell.states(ratios.max(0) <= 1 + TIE, *FAVOURITES),
         ratios[:, -1].max(),
-        f"at n = {cell.n[-1]} best for K is {best['K']}, best for H {best['H']}",
+        f"at n = {cell.n[-1]} best for K is {cell.best['K']}, best for H {cell.best['H']}",
     )
 
 

@@ -23,11 +23,10 @@ def summary(decided: pd.DataFrame, readings: pd.DataFrame) -> pd.DataFrame:
     number of the paper's surfaces, 1 for a claim about them together. `<reading>_true`,
     `_degenerate`, `_undecided`, `_false`: the surfaces with that verdict on the paper's meshes, in
     each named reading; `<reading>_at_finest`, `<reading>_from_24`: those on which it holds at the
-    finest n and at every n >= 24;
-    `<reading>_stands`: true on most of those that are not degenerate. `<reading>_refined_true`
-    etc.: the same up to the finest meshes of the paper's cut; `default_cuts_true` etc.: the worst
-    over the other cuts. `turned_over_by`: the single changes of the default reading that change
-    `default_stands`; `turned_over_on`: the cuts that do.
+    finest n and at every n >= 24; `<reading>_stands`: true on most of those that are not
+    degenerate. `<reading>_refined_true` etc.: the same up to the finest meshes of the paper's cut;
+    `default_cuts_true` etc.: the worst over the other cuts. `turned_over_by`: the single changes of
+    the default reading that change `default_stands`; `turned_over_on`: the cuts that do.
     """
     kind = readings.drop_duplicates("reading").set_index("reading").kind
     on_surfaces = decided[decided.surface != QUADRIC]
@@ -131,11 +130,7 @@ def agreement(readings, variants) -> pd.DataFrame:
     rows = []
     for name, cells in _named(readings, variants, surfaces):
         for quantity in FAVOURITES:
-            ranked = {
-                surface: tuple(cell.ranks[quantity][-1].tolist())
-                for surface, cell in cells.items()
-                if cell.complete[quantity][-1] and not cell.degenerate[quantity][-1]
-            }
+            ranked = {surface: cell.ranking(quantity) for surface, cell in cells.items()}
             rows += [
                 {
                     "reading": name,
@@ -143,7 +138,7 @@ def agreement(readings, variants) -> pd.DataFrame:
                     "surface": surface,
                     "other": other,
                     "tau": kendall_tau(ranked[surface], ranked[other])
-                    if {surface, other} <= set(ranked)
+                    if ranked[surface] and ranked[other]
                     else None,
                 }
                 for surface in surfaces

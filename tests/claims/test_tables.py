@@ -333,7 +333,7 @@ def test_the_answer_follows_the_tables():
     _, explanations = search()
     table = summary.summary(some_claims(), READINGS)
     elsewhere = summary.on_other_cuts(some_claims())
-    found = answer.findings(table, explanations, NONE, elsewhere)
+    found = answer.findings(table, found_by(explanations), NONE, elsewhere)
     text = answer.answer(table, found, 256)
     lines = [[cell.strip() for cell in line.split("|")] for line in text.splitlines()]
     lines = [cells for cells in lines if len(cells) > 4]
@@ -355,7 +355,7 @@ def test_the_answer_follows_the_tables():
     assert "3 (+1) of 5 on the paper's meshes, 1 (+2) of 5 refined" in words
     assert "changes with loose" in words
     plain = table.drop(columns=[c for c in table if BEST in c])
-    none = answer.answer(plain, answer.findings(plain, explanations[:0], NONE, elsewhere), 64)
+    none = answer.answer(plain, answer.findings(plain, {}, NONE, elsewhere), 64)
     assert "explains" not in none
     assert "refined to n = 64" in none
     assert none.count("\n* ") == 2
@@ -367,7 +367,7 @@ def test_findings_in_studies_that_come_out_otherwise():
 
     def found(best_true=5, rows=explanations, kept=NONE, cuts=elsewhere):
         table = summary.summary(some_claims(best_true), READINGS)
-        return answer.findings(table, rows, kept, cuts)
+        return answer.findings(table, found_by(rows), kept, cuts)
 
     assert "for H on 4 of 5 surfaces at the finest resolution, and on 3" in found()["ranking"]
     assert "cut otherwise" not in found()["ranking"]

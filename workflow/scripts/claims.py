@@ -23,9 +23,9 @@ with logged(snakemake.log[0]):
     guesses(shapes, on_shapes).to_csv(output.guesses, index=False)
     table = summary(claims, tables["readings"])
     table.to_csv(output.summary, index=False)
-    elsewhere = on_other_cuts(claims)
-    told = findings(table, explanations, convergence, elsewhere) | {
-        "search": search(explanations),
+    searched, elsewhere = search(explanations), on_other_cuts(claims)
+    told = findings(table, searched, convergence, elsewhere) | {
+        "search": searched,
         "on_other_cuts": elsewhere,
         "decided_by_ties": decided_by_ties(tables["readings"], tables["variants"]),
     }
