@@ -52,6 +52,12 @@ def largest_curvature(mesh) -> float:
     return float(np.nanmax(np.abs([mesh.k1, mesh.k2])))
 
 
+def edge_lengths(mesh):
+    """The lengths (F, 3) of the edges of the triangles of a Mesh."""
+    ends = mesh.vertices[mesh.faces]
+    return np.linalg.norm(ends - np.roll(ends, -1, axis=1), axis=2)
+
+
 def rounding_level(quantity: str, largest_k: float) -> float:
     """The error of a quantity up to which it is rounding, on a surface with this largest |k|."""
     return ROUNDING * largest_k ** QUANTITIES[quantity].power

@@ -4,7 +4,15 @@ import numpy as np
 
 from curvlib.estimation import estimate
 
-from .norms import NORMS, VERTICES, counted_vertices, error_rows, largest_curvature, rounding_level
+from .norms import (
+    NORMS,
+    VERTICES,
+    counted_vertices,
+    edge_lengths,
+    error_rows,
+    largest_curvature,
+    rounding_level,
+)
 
 LABELS = ("family", "shape", "proportions", "surface", "diagonal", "n")
 COLUMNS = (*LABELS, "triangles", "elongation", "estimator", "variant", "counted", "quantity")
@@ -13,8 +21,7 @@ COLUMNS += (*NORMS, "vertices", "undefined", "rounding")
 
 def elongation(mesh) -> float:
     """The median over the triangles of a Mesh of their longest edge over their shortest."""
-    ends = mesh.vertices[mesh.faces]
-    lengths = np.linalg.norm(ends - np.roll(ends, -1, axis=1), axis=2)
+    lengths = edge_lengths(mesh)
     return float(np.median(lengths.max(1) / lengths.min(1)))
 
 

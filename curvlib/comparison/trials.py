@@ -1,6 +1,7 @@
 """Two experiments beyond the paper: noise on its meshes, and one-rings that shrink on quadrics."""
 
 import zlib
+from pathlib import Path
 
 import numpy as np
 
@@ -8,7 +9,9 @@ from curvlib.catalogue import estimators
 from curvlib.estimation import estimate, takes_mesh
 from curvlib.kit.ring import one_ring
 
+from .norms import edge_lengths
 from .quantities import QUANTITIES, absolute
+from .run import write_rows
 
 # Standard deviation of the displacement, as a fraction of the mean edge.
 SIGMAS = (0.0, 0.001, 0.01, 0.05)
@@ -23,6 +26,28 @@ NOISE_COLUMNS += ("response", "response_spread", "vertices")
 RING_COLUMNS = ("variant", "valence", "ring", "h", "quantity", "value", "undefined")
 
 
+def noise_table(path, runs, meshes) -> None:
+    """Write `noise_rows` of runs, pairs of an estimator (name or path) and its variants, on meshes,
+    MeshKey -> Mesh."""
+    rows = (
+        {"estimator": Path(estimator).stem} | row
+        for estimator, variants in runs
+        for key, mesh in meshes.items()
+        for row in noise_rows(key, mesh, estimator, variants)
+    )
+    write_rows(path, ("estimator", *NOISE_COLUMNS), rows)
+
+
+def ring_table(path, runs) -> None:
+    """Write `ring_rows` of runs, as in `noise_table`."""
+    rows = (
+        {"estimator": Path(estimator).stem} | row
+        for estimator, variants in runs
+        for row in ring_rows(estimator, variants)
+    )
+    write_rows(path, ("estimator", *RING_COLUMNS), rows)
+
+
 def noise_rows(key, mesh, estimator: str, variants: dict):
     """Yield dicts of NOISE_COLUMNS for the Mesh of a MeshKey: mean errors under displaced vertices.
 
@@ -35,8 +60,7 @@ def noise_rows(key, mesh, estimator: str, variants: dict):
     the mean of |x_noisy - x_clean|, x the estimate: what noise does to it, whatever its error.
     `spread` and `response_spread` are the standard deviations of either over the draws.
     """
-    edges = mesh.vertices[mesh.faces] - mesh.vertices[np.roll(mesh.faces, -1, axis=1)]
-    length = np.linalg.norm(edges, axis=2).mean()
+    length = edge_lengths(mesh).mean()
     rng = np.random.default_rng([zlib.crc32(key.surface.encode()), key.n])
     deviates = rng.standard_normal((NOISE_DRAWS, len(mesh.vertices), 1))
     steps = np.nan_to_num(length * deviates * mesh.normals)

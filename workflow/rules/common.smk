@@ -51,6 +51,8 @@ def code(script, *files):
 # Files outside the package are known to the rules by their stems.
 SURFACES = Named({stem_of(name): name for name in study.surfaces})
 ESTIMATORS = Named({stem_of(name): name for name in study.estimators})
+# The options that each is run with, by variant.
+VARIANTS = Named({stem: study.variants(name) for stem, name in ESTIMATORS.items()})
 MODULES = [*map(estimators.path, study.estimators), *map(surfaces.path, study.surfaces)]
 
 
@@ -62,7 +64,8 @@ FULL = Rows(
     for surface in SURFACES
     for diagonal, n, full in study.meshes()
     if full
-)  # Those with the paper's resolutions and cut, the first one.
+)
+# Those with the paper's resolutions and cut, the first one.
 PAPER = Rows(mesh for mesh in FULL if mesh.diagonal == study.diagonals[0])
 
 # The library is an archive, from which the study is then made.

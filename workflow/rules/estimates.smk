@@ -16,7 +16,7 @@ rule estimate:
     params:
         meshes=PAPER,
         estimator=lambda wildcards: ESTIMATORS[wildcards.estimator],
-        variants=lambda wildcards: study.variants(ESTIMATORS[wildcards.estimator]),
+        variants=lambda wildcards: VARIANTS[wildcards.estimator],
         code=lambda wildcards: code("estimate", estimators.path(ESTIMATORS[wildcards.estimator])),
     script:
         "../scripts/estimate.py"

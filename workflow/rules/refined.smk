@@ -21,7 +21,7 @@ rule refine:
         meshes=OTHERS,
         full=FULL,
         estimator=lambda wildcards: ESTIMATORS[wildcards.estimator],
-        variants=lambda wildcards: study.variants(ESTIMATORS[wildcards.estimator]),
+        variants=lambda wildcards: VARIANTS[wildcards.estimator],
         tabulated=lambda wildcards: study.tabulated(ESTIMATORS[wildcards.estimator]),
         everywhere=lambda wildcards: study.tabulated(
             ESTIMATORS[wildcards.estimator], study.more_readings
@@ -43,7 +43,7 @@ rule trials:
         "../envs/curvlib.yaml"
     params:
         estimator=lambda wildcards: ESTIMATORS[wildcards.estimator],
-        variants=lambda wildcards: study.variants(ESTIMATORS[wildcards.estimator]),
+        variants=lambda wildcards: VARIANTS[wildcards.estimator],
         tabulated=lambda wildcards: study.tabulated(ESTIMATORS[wildcards.estimator]),
         meshes=NOISY,
         code=lambda wildcards: code("trials", estimators.path(ESTIMATORS[wildcards.estimator])),
@@ -67,7 +67,7 @@ rule best_explanation:
         meshes=OTHERS,
         noisy=NOISY,
         estimators=ESTIMATORS,
-        variants=Named({stem: study.variants(name) for stem, name in ESTIMATORS.items()}),
+        variants=VARIANTS,
         code=code("best_explanation", *map(estimators.path, study.estimators)),
     script:
         "../scripts/best_explanation.py"

@@ -13,7 +13,7 @@ rule shapes:
         "../envs/curvlib.yaml"
     params:
         estimators=ESTIMATORS,
-        variants=Named({stem: study.variants(name) for stem, name in ESTIMATORS.items()}),
+        variants=VARIANTS,
         # The paper's finest mesh.
         diagonal=study.diagonals[0],
         n=study.resolutions[-1],
