@@ -41,9 +41,9 @@ class Estimates:
     >>> K, H = estimates
     """
 
-    def __init__(self, mesh, found: dict):
-        """`found`: the arrays that the estimator returned, by name."""
-        self._mesh, self._found = mesh, found
+    def __init__(self, mesh, found: dict, given: str):
+        """`found`: the arrays that the estimator returned, by name; `given`: what it was given."""
+        self._mesh, self._found, self._given = mesh, found, given
         self.d1, self.d2 = found.get("d1"), found.get("d2")
         for name in ("K", "H"):
             values = found.get(name)
@@ -81,7 +81,8 @@ class Estimates:
         lacking = np.full(len(self._mesh.vertices), not self._found)
         for values in self._found.values():
             lacking |= np.isnan(values.reshape(len(lacking), -1)).any(1)
-        return {cause: int(n) for cause, n in _causes(self._mesh, lacking).items() if n}
+        causes = _causes(self._mesh, lacking, self._given)
+        return {cause: int(n) for cause, n in causes.items() if n}
 
     @cached_property
     def _principal(self):
@@ -100,33 +101,41 @@ class Estimates:
         return f"<Estimates of {names} at {len(self.K)} vertices>"
 
 
-def _causes(mesh, lacking):
+def _usable(mesh, given):
+    """(V,) bool: an estimator is given the ring or the disk of the vertex."""
+    return mesh.find_adjacency().stars > 0 if given == "disk" else mesh.closed
+
+
+def _causes(mesh, lacking, given):
     """Cause -> number of the vertices `lacking` (V,) bool a value."""
     used = np.zeros(len(lacking), dtype=bool)
     used[mesh.faces] = True
-    open_ = used & ~mesh.closed
-    return {
-        "no triangle": (lacking & ~used).sum(),
-        "boundary": (lacking & open_ & mesh.boundary).sum(),
-        "triangles that do not close to one ring": (lacking & open_ & ~mesh.boundary).sum(),
-        "no finite value": (lacking & mesh.closed).sum(),
-    }
+    usable = _usable(mesh, given)
+    causes = {"no triangle": (lacking & ~used).sum()}
+    open_ = lacking & used & ~usable
+    if given == "disk":
+        causes["triangles that form no disk or half-disk"] = open_.sum()
+    else:
+        causes["boundary"] = (open_ & mesh.boundary).sum()
+        causes["triangles that do not close to one ring"] = (open_ & ~mesh.boundary).sum()
+    return causes | {"no finite value": (lacking & usable).sum()}
 
 
-def warn_of_undefined(mesh, closed: int) -> None:
-    """Warn if fewer than half of the vertices have a closed ring, or some without one coincide.
-
-    `closed`: the number of vertices with a closed ring.
-    """
-    count = len(mesh.vertices)
-    if closed == count:
+def warn_of_undefined(mesh, given: str) -> None:
+    """Warn if fewer than half of the vertices have a ring, or disk where that is `given`, or some
+    without one coincide."""
+    if given == "mesh":
         return
-    rest = mesh.vertices[~mesh.closed]
+    count, usable = len(mesh.vertices), _usable(mesh, given)
+    number = np.count_nonzero(usable)
+    if number == count:
+        return
+    rest = mesh.vertices[~usable]
     twice = len(rest) - len(np.unique(rest, axis=0))
-    if 2 * closed >= count and not twice:
+    if 2 * number >= count and not twice:
         return
-    causes = _causes(mesh, ~mesh.closed)
-    message = f"{count - closed} of {count} vertices have no value: "
+    causes = _causes(mesh, ~usable, given)
+    message = f"{count - number} of {count} vertices have no value: "
     message += ", ".join(f"{n} {cause}" for cause, n in causes.items() if n)
     if twice:
         message += (

@@ -6,8 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from curvlib.catalogue import estimators
-from curvlib.estimation import estimate, takes_mesh
+from curvlib.estimation import estimate
 from curvlib.kit.ring import one_ring
+from curvlib.signatures import Signature
 
 from .norms import edge_lengths
 from .quantities import QUANTITIES, absolute
@@ -99,11 +100,11 @@ def ring_rows(estimator: str, variants: dict, seed: int = 0):
 
     and a ring about the origin: `regular` neighbours at equal angles and distances h in the
     tangent plane, `irregular` ones jittered in both. Errors are of signed values, since the side
-    of a ring is known. `undefined` counts the draws without one. An estimator that is given the
-    mesh has no rows.
+    of a ring is known. `undefined` counts the draws without one. An estimator that is not given
+    rings has no rows.
     """
     function = estimators.module(estimator).estimate
-    if takes_mesh(function):
+    if Signature.of(estimator, function).given != "ring":
         return
     for n in VALENCES:
         for kind, jitter in (("regular", 0.0), ("irregular", 0.2)):

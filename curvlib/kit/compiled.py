@@ -39,13 +39,32 @@ def compiled(function):
     an assignment to a slice, a reduction such as x.max() or an expression of whole arrays costs
     it 0.3 to 1.5 s: loops over elements are compiled in a tenth of that.
     """
+    return _compiled(function, _Part)
+
+
+def kernel(function):
+    """As `compiled`, for a function that a loop calls at each vertex or that is such a loop.
+
+    It is inlined into compiled functions that call it, and references to arrays are not counted in
+    it: calls and atomic operations would take half of the time of a loop over disks. It cannot make
+    arrays, but parts of one that it is given (`curvlib.kit.parts.part`).
+    """
+    return _compiled(function, _Inlined, _nrt=False)
+
+
+def _compiled(function, library, **options):
+    held = [getattr(cell.cell_contents, "py_func", None) for cell in function.__closure__ or ()]
+    inner = [f for f in held if f]
+    if inner:
+        function.__qualname__ = f"{function.__name__}_{_identity(inner)}"
     # No function is called through a C pointer, for which Numba would compile a second wrapper.
-    jit = numba.njit(nogil=True, error_model="numpy", no_cfunc_wrapper=True)(function)
+    options |= {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True}
+    jit = numba.njit(**options)(function)
     if config.DISABLE_JIT:
         return jit
-    if Path(function.__code__.co_filename).exists() and _folder():
+    if all(Path(f.__code__.co_filename).exists() for f in (function, *inner)) and _folder():
         jit._cache = _Kept(function)
-    parts = _Parts(jit)
+    parts = _Parts(jit, library)
     jit.get_call_template, jit.get_overload = parts.get_call_template, parts.get_overload
     return jit
 
@@ -66,11 +85,20 @@ class _Part(codegen.JITCodeLibrary):
         self._finalized = True
 
 
+class _Inlined(_Part):
+    """A part that is inlined whatever its size."""
+
+    def _optimize_final_module(self):
+        for function in self._final_module.functions:
+            if not function.is_declaration and self.name in function.name:
+                function.add_function_attribute("alwaysinline")
+
+
 class _Parts:
     """The code of one function for its callers, by argument types."""
 
-    def __init__(self, jit):
-        self.jit, self.overloads = jit, {}
+    def __init__(self, jit, library):
+        self.jit, self.library, self.overloads = jit, library, {}
 
     def get_call_template(self, args, kws):
         """As `Dispatcher.get_call_template`."""
@@ -104,15 +132,30 @@ class _Parts:
                 return_type=None,
                 flags=flags,
                 locals={},
-                library=_Part(context.codegen(), self.jit.py_func.__qualname__),
+                library=self.library(context.codegen(), self.jit.py_func.__qualname__),
             )
             key = object()
             context.insert_user_function(key, code.fndesc, [code.library])
             self.overloads[args] = code, key
 
 
+def _identity(functions):
+    """What tells the functions in a closure from others, and from other states of their files."""
+    text = hashlib.sha256()
+    for f in functions:
+        path = Path(f.__code__.co_filename)
+        text.update(repr((f.__module__, f.__qualname__, f.__code__.co_firstlineno)).encode())
+        text.update(path.read_bytes() if path.exists() else b"")
+    return text.hexdigest()[:16]
+
+
 class _Kept(caching.FunctionCache):
     """Machine code of one function on disk; a file that cannot be read or written is no error."""
+
+    def _index_key(self, sig, codegen):
+        # Numba would pickle the functions in a closure, with numbers of this process: they are
+        # part of its __qualname__, and so of the file's name.
+        return sig, codegen.magic_tuple()
 
     class _impl_class(caching.CompileResultCacheImpl):
         class _Locator(caching.UserWideCacheLocator):

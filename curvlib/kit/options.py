@@ -4,7 +4,10 @@ Numba compiles 20 functions, in 1.5 s, to tell whether two strings are equal.
 """
 
 import hashlib
+import math
 import operator
+import re
+from numbers import Real
 
 from llvmlite import ir
 from numba.core import types, typing
@@ -29,9 +32,43 @@ class Option(str):
         return option
 
 
-def as_options(chosen):
-    """Options by name, whose values are Option where they are strings."""
-    return {name: Option(x) if isinstance(x, str) else x for name, x in chosen.items()}
+class Length:
+    """Annotation of an option that is a length: a positive number in the unit of the mesh, text
+    such as "5 edges" for five mean edges, or None where that is the default.
+
+    Compiled code gets a float in the unit of its disk or ring, infinite for None.
+    """
+
+
+class Lengths(tuple):
+    """The default of an option that is a Length; every such value is in it."""
+
+    def __contains__(self, value):
+        return value == self[0] if value is None else _amount(value) is not None
+
+    @staticmethod
+    def of(value, mesh, unit):
+        """The length as compiled code gets it, `unit` being that by which lengths of the mesh are
+        multiplied."""
+        if value is None:
+            return math.inf
+        amount, of_edges = _amount(value)
+        return amount * unit * (mesh.mean_edge if of_edges else 1.0)
+
+
+def _amount(value):
+    """A positive number, and whether it counts mean edges; None for what is no length."""
+    of_edges = isinstance(value, str)
+    if of_edges:
+        found = re.fullmatch(r"([0-9.]+) edges?", value)
+        value = found and found[1]
+    elif not isinstance(value, Real) or isinstance(value, bool):
+        return None
+    try:
+        amount = float(value)
+    except (TypeError, ValueError):
+        return None
+    return (amount, of_edges) if 0 < amount < math.inf else None
 
 
 class _OptionType(types.Type):

@@ -11,7 +11,7 @@ from collections import namedtuple
 import numpy as np
 
 from .compiled import compiled
-from .vectors import add, cross, divide, dot, norm
+from .vectors import cross, divide, dot, norm
 
 Curvatures = namedtuple("Curvatures", "K H k1 k2 d1 d2")
 Curvatures.__doc__ = """Gaussian and mean curvature, principal curvatures and their directions.
@@ -103,9 +103,22 @@ def from_graph(p, q, r, s, t, X, Y, N):
     -------
     Curvatures, tuple of 3 floats
     """
-    zero = (0.0, 0.0, 0.0)
-    S_u, S_v = add(X, p, N), add(Y, q, N)
-    return from_derivatives(S_u, S_v, add(zero, r, N), add(zero, s, N), add(zero, t, N))
+    # The frame is S_u / |S_u| and its turn by a right angle; g is |S_u x S_v|.
+    u = np.sqrt(1 + p * p)
+    g = np.sqrt(1 + p * p + q * q)
+    over_u, over_g = 1 / u, 1 / g
+    n = (
+        (N[0] - p * X[0] - q * Y[0]) * over_g,
+        (N[1] - p * X[1] - q * Y[1]) * over_g,
+        (N[2] - p * X[2] - q * Y[2]) * over_g,
+    )
+    e1 = (X[0] + p * N[0]) * over_u, (X[1] + p * N[1]) * over_u, (X[2] + p * N[2]) * over_u
+    slope, over_height = p * q * over_u, u * over_g
+    a = -r * over_g * over_u * over_u
+    b = (-s * over_g * over_u - slope * a) * over_height
+    c = (-t * over_g - slope * slope * a) * over_height * over_height
+    c -= 2 * slope * b * over_height
+    return from_form(a, b, c, e1, n), n
 
 
 @compiled

@@ -3,6 +3,8 @@
 Here `a` and `b` are tuples of 3 floats, `x` is a float; `add` is the axpy of BLAS.
 """
 
+import math
+
 import numpy as np
 
 from .compiled import compiled
@@ -48,3 +50,16 @@ def cross(a, b):
         a[2] * b[0] - a[0] * b[2],
         a[0] * b[1] - a[1] * b[0],
     )
+
+
+@compiled
+def tangents(a):
+    """Unit vectors X and Y that make (X, Y, a) a right-handed orthonormal frame, `a` being unit.
+
+    Source: Duff et al. (2017), Building an orthonormal basis, revisited (JCGT 6, 1).
+    """
+    sign = math.copysign(1.0, a[2])
+    x = -1 / (sign + a[2])
+    y = a[0] * a[1] * x
+    X = 1 + sign * a[0] * a[0] * x, sign * y, -sign * a[0]
+    return X, (y, sign + a[1] * a[1] * x, -a[1])

@@ -29,13 +29,27 @@ def one_rings(faces, total, threads: int = 1):
     `total`: the number of vertices; Mesh checks that int32 counts them and the corners. Raises
     InputError if a face refers to no vertex.
     """
+    neighbours = np.empty(3 * len(faces), dtype=np.int32)
+
+    def batches(first, own, pairs, begin, valence, rings):
+        return list(_batches(pairs, begin, valence, rings, first, neighbours[own]))
+
+    return [batch for found in by_bucket(faces, total, threads, batches) for batch in found]
+
+
+def by_bucket(faces, total, threads, use) -> list:
+    """[use(first, own, pairs, begin, valence, rings)] over the buckets of the faces' corners.
+
+    `first` is the first vertex of the bucket, `own` its slice of all corners. The pairs of vertex
+    first + v begin at begin[v]: ordered as a walk around it, of valence[v] pairs, where they close
+    to one ring, else in any order, valence[v] being zero; rings[n] of them have valence n.
+    """
     faces = _frozen(faces)
     parts = [slice(k, k + PART) for k in range(0, len(faces), PART)]
     counts = np.zeros((len(parts), (total >> SHIFT) + 1), dtype=np.intp)
     places = np.zeros(counts.size + 1, dtype=np.intp)
     owners = np.empty(3 * len(faces), dtype=np.uint16)
     pairs = np.empty(3 * len(faces), dtype=np.int64)
-    neighbours = np.empty(len(pairs), dtype=np.int32)
     proper = [None] * len(parts)
 
     def count(part):
@@ -64,8 +78,8 @@ def one_rings(faces, total, threads: int = 1):
         largest = _walks(owners[own], pairs[own], begin, valence, ordered, rings)
         if largest >= MANY:
             rings = np.append(rings, np.zeros(largest + 1 - MANY, np.intp))
-            _walks_by_table(ordered, begin, _table(largest), valence, rings)
-        return list(_batches(ordered, begin, valence, rings, first, neighbours[own]))
+            _walks_by_table(ordered, begin, table_of(largest), valence, rings)
+        return use(first, own, ordered, begin, valence, rings)
 
     for_each(count, range(len(parts)), threads)
     # Ordered by bucket, then by part, so that the corners of a vertex keep the order of the faces.
@@ -73,11 +87,10 @@ def one_rings(faces, total, threads: int = 1):
     starts = places[:-1].reshape(counts.shape[::-1]).T.copy()
     for_each(deal, range(len(parts)), threads)
     ends = places[:: len(parts)] if parts else []
-    batches = for_each(close, range(len(ends) - 1), threads)
-    return [batch for found in batches for batch in found]
+    return for_each(close, range(len(ends) - 1), threads)
 
 
-def _table(n):
+def table_of(n):
     """Memory for `walk_by_table` of n pairs: fewer than 4 n slots, and n pairs."""
     return np.empty(5 * n, dtype=np.int64)
 

@@ -65,7 +65,7 @@ class Mesh:
     def __init__(self, vertices, faces, copy: bool = True, **fields):
         self._vertices = _frozen(_numbers("vertices", vertices, float, copy))
         self._faces = _frozen(_numbers("faces", faces, np.intp, copy))
-        self._rings = None
+        self._rings = self._adjacency = None
         for name, array in (("vertices", self.vertices), ("faces", self.faces)):
             if array.ndim != 2 or array.shape[1] != 3:
                 raise InputError(f"{name}: shape {array.shape}, expected (rows, 3)")
@@ -119,7 +119,7 @@ class Mesh:
         Mesh
         """
         mesh = Mesh(vertices, self.faces)
-        mesh._rings = self.rings
+        mesh._rings, mesh._adjacency = self.rings, self._adjacency
         return mesh
 
     @property
@@ -173,6 +173,22 @@ class Mesh:
 
             self._rings = one_rings(self.faces, len(self.vertices), threads)
         return self._rings
+
+    def find_adjacency(self, threads: int = 1):
+        """The `curvlib.meshes.neighbourhoods.Adjacency`, found by `threads` threads at the first
+        call."""
+        if self._adjacency is None:
+            from .neighbourhoods import adjacency
+
+            self._adjacency = adjacency(self.faces, len(self.vertices), threads)
+        return self._adjacency
+
+    @cached_property
+    def mean_edge(self) -> float:
+        """Mean length of the edges, in the unit of the mesh."""
+        from .neighbourhoods import mean_edge
+
+        return mean_edge(self)
 
     @cached_property
     def closed(self) -> np.ndarray:

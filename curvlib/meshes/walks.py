@@ -39,14 +39,14 @@ def walk_by_table(pairs, table):
     for slot in range(walked):
         table[slot] = -1
     for i in range(n):
-        slot = _slot(pairs[i] >> 32, pairs, table, bits)
+        slot = slot_of(pairs[i] >> 32, pairs, table, bits)
         if table[slot] >= 0:
             return False
         table[slot] = i
     i = 0
     for step in range(n):
         table[walked + step] = pairs[i]
-        i = table[_slot(pairs[i] & LAST, pairs, table, bits)]
+        i = table[slot_of(pairs[i] & LAST, pairs, table, bits)]
         if i < 0 or (i == 0) != (step == n - 1):
             return False
     for step in range(n):
@@ -55,7 +55,7 @@ def walk_by_table(pairs, table):
 
 
 @compiled
-def _slot(vertex, pairs, table, bits):
+def slot_of(vertex, pairs, table, bits):
     """The slot of a vertex in a table of 2^bits, or the empty slot for it (Fibonacci hashing,
     linear probing: Knuth, volume 3, section 6.4)."""
     slot = (vertex * 2654435769 & LAST) >> (32 - bits)

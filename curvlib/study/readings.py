@@ -5,7 +5,7 @@ import itertools
 from pathlib import Path
 
 from curvlib.comparison.norms import VERTICES
-from curvlib.estimation import readings as estimator_options
+from curvlib.signatures import readings as estimator_options
 
 # The paper's error plots by quantity: figure -> surface.
 PAPER_FIGURES = {

@@ -10,7 +10,7 @@ import reference
 import curvlib
 from curvlib.catalogue import estimators as catalogue
 from curvlib.claims.cell import NINE as PAPER
-from curvlib.estimation import readings
+from curvlib.signatures import readings
 
 ESTIMATORS = curvlib.estimators()
 

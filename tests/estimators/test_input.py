@@ -8,9 +8,9 @@ import pyvista
 
 import curvlib
 from curvlib.claims.cell import NINE as PAPER
-from curvlib.estimation import readings
 from curvlib.meshes.torus import torus
 from curvlib.parallel import for_each
+from curvlib.signatures import readings
 
 
 def test_exact_normals_have_to_be_there(sphere):

@@ -9,8 +9,8 @@ import reference
 
 import curvlib
 from curvlib.claims.cell import NINE as PAPER
-from curvlib.estimation import readings
 from curvlib.meshes.torus import torus
+from curvlib.signatures import readings
 
 
 @pytest.mark.parametrize("surface", curvlib.surfaces())

@@ -7,8 +7,8 @@ import pytest
 import curvlib
 from curvlib.catalogue import estimators as catalogue
 from curvlib.claims.cell import NINE as PAPER
-from curvlib.estimation import readings
 from curvlib.kit.ring import alpha, beta, one_ring, total_angle
+from curvlib.signatures import readings
 
 
 @pytest.mark.parametrize("n", [3, 63, 64, 200, 10000])

@@ -87,8 +87,8 @@ def test_a_fan_of_many_triangles_takes_time_by_its_size():
 def test_memory_does_not_grow_with_vertices_and_valence(monkeypatch):
     """A vertex of large valence in each bucket needs room for its own ring alone."""
     asked = []
-    table = corners._table
-    monkeypatch.setattr(corners, "_table", lambda v: asked.append(len(table(v))) or table(v))
+    table = corners.table_of
+    monkeypatch.setattr(corners, "table_of", lambda v: asked.append(len(table(v))) or table(v))
     monkeypatch.setattr(corners, "SHIFT", 8)
     count = 20
     faces = np.vstack([fan(100)[0] + k * 256 for k in range(count)])

@@ -1,0 +1,136 @@
+"""Disks: a vertex and those within some edges or some length of it, on open meshes too.
+
+An estimator is given one disk at a time. Arrays run over the neighbours, contiguous in memory and
+padded to a multiple of LANES (curvlib.kit.lanes): loops over them are vectorised.
+"""
+
+from collections import namedtuple
+
+import numpy as np
+
+from .compiled import kernel
+from .lanes import LANES
+from .parts import part
+from .ring import SHEET
+from .vectors import add, cross, divide, norm
+
+ROWS, SPACE = 64, 4096
+
+Disk = namedtuple("Disk", "e weights hops normal radius count rows space")
+Disk.__doc__ = """The neighbours of a vertex v.
+
+Attributes
+----------
+e : (3, n)
+    Vectors v_i - v; the padding is zero. Neighbours come ring by ring; the first ring
+    counter-clockwise seen from outside, at the boundary from one end to the other.
+weights : (n,)
+    1 for a neighbour, 0 for padding.
+hops : (n,) uint8
+    Distance from v in edges, at most 255; 0 for padding.
+normal : tuple of 3 floats
+    Unit mean of the normals of the triangles at v, weighted by area; NaN where they cancel: the sum
+    is shorter than SHEET times the sum of the lengths.
+radius : float
+    The largest |v_i - v|.
+count : int
+    Number of neighbours; n is the next multiple of LANES.
+rows : (ROWS, n)
+    For arrays of the estimator: the first three are e, the fourth are the weights, and the others
+    hold what the last vertex left there.
+space : (SPACE,)
+    For others, likewise.
+"""
+
+
+def space_for(count):
+    """The `space` that `gather` needs for up to `count` neighbours."""
+    return np.empty(ROWS * (count + LANES) + SPACE)
+
+
+@kernel
+def gather(vertices, v, found, hops, count, normal, unit, space):
+    """Gather the Disk of a vertex.
+
+    Parameters
+    ----------
+    vertices : (V, 3)
+        Coordinates, in the unit of the mesh.
+    v : int
+        The vertex.
+    found : (count or more,) int32
+        Its neighbours.
+    hops : (count + LANES - 1 or more,) uint8
+        Their distances in edges; on return padded.
+    count : int
+        Their number.
+    normal : tuple of 3 floats
+        From `star_normal`.
+    unit : float
+        `Mesh.unit`: lengths of the Disk are multiplied by it.
+    space : (ROWS n + SPACE or more,)
+        Memory for `Disk.rows` and `Disk.space`.
+
+    Returns
+    -------
+    Disk
+    """
+    n = (count + LANES - 1) // LANES * LANES
+    e, weights = part(space, 0, (3, n)), part(space, 3 * n, (n,))
+    x, y, z = vertices[v, 0], vertices[v, 1], vertices[v, 2]
+    for i in range(count):
+        u = np.uint64(found[i])
+        e[0, i] = (vertices[u, 0] - x) * unit
+        e[1, i] = (vertices[u, 1] - y) * unit
+        e[2, i] = (vertices[u, 2] - z) * unit
+    for i in range(count):
+        weights[i] = 1.0
+    rows, rest = part(space, 0, (ROWS, n)), part(space, ROWS * n, (SPACE,))
+    for i in range(count, n):
+        e[0, i], e[1, i], e[2, i], weights[i], hops[i] = 0.0, 0.0, 0.0, 0.0, 0
+    farthest = 0.0
+    for i in range(count):
+        square = e[0, i] * e[0, i] + e[1, i] * e[1, i] + e[2, i] * e[2, i]
+        farthest = square if square > farthest else farthest
+    return Disk(e, weights, part(hops, 0, (n,)), normal, np.sqrt(farthest), count, rows, rest)
+
+
+@kernel
+def star_normal(vertices, v, neighbours, first, last, closed, unit):
+    """The mean of the normals of the triangles at a vertex, weighted by area.
+
+    Parameters
+    ----------
+    vertices : (V, 3)
+    v : int
+        The vertex.
+    neighbours : (last or more,) int32
+        From `first` on to `last`, a walk around it.
+    first, last : int
+    closed : bool
+        Whether there is a triangle between the last neighbour and the first.
+    unit : float
+        As in `gather`.
+
+    Returns
+    -------
+    tuple of 3 floats
+        Unit; NaN where the normals cancel: their sum is shorter than SHEET times the sum of their
+        lengths.
+    """
+    x, y, z = vertices[v, 0], vertices[v, 1], vertices[v, 2]
+    total, length, before, start = (0.0, 0.0, 0.0), 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    for i in range(first, last):
+        u = np.uint64(neighbours[i])
+        e = (vertices[u, 0] - x) * unit, (vertices[u, 1] - y) * unit, (vertices[u, 2] - z) * unit
+        if i == first:
+            start = e
+        else:
+            facet = cross(before, e)
+            total, length = add(total, 1.0, facet), length + norm(facet)
+        before = e
+    if closed:
+        facet = cross(before, start)
+        total, length = add(total, 1.0, facet), length + norm(facet)
+    size = norm(total)
+    return divide(total, size if size > SHEET * length else np.nan)

@@ -1,0 +1,190 @@
+"""Passes over the vertices of a mesh: gather rings or disks in blocks that stay in cache, call
+estimators, scatter their values."""
+
+import threading
+
+import numpy as np
+
+from .catalogue import estimators
+from .errors import InputError
+from .kit.batch import gather, scatter
+from .kit.tensor import Curvatures
+from .meshes.disks import Disks
+from .parallel import for_each
+
+# Ring slots (valence times vertices) per block: an array of a block takes 192 KiB.
+BLOCK = 24576
+OURS = f"{estimators.package}."
+# Power of 1/length that each quantity scales with.
+POWERS = {"K": 2, "H": 1, "k1": 1, "k2": 1, "d1": 0, "d2": 0}
+
+
+class Task:
+    """An estimator with its options, and the arrays that it returned, scattered to the vertices."""
+
+    def __init__(self, signature, options, mesh):
+        self.name, self.function = signature.name, signature.function
+        self.given, self.field = signature.given, signature.field
+        self.ours = getattr(self.function, "__module__", "").startswith(OURS)
+        self.arrays, self._lock = {}, threading.Lock()
+        self._mesh, self._signature, self._chosen = mesh, signature, signature.chosen(options)
+
+    def arguments(self, unit=1.0) -> dict:
+        """The options as the estimator takes them."""
+        return self._signature.arguments(self._chosen, self._mesh, unit)
+
+    def field_arguments(self, unit) -> dict:
+        """Those that its field has too, and the field's own defaults."""
+        shared = {x: self._chosen[x] for x in self.field.options if x in self._chosen}
+        return self.field.arguments(self.field.chosen(shared), self._mesh, unit)
+
+    def store(self, returned, at, start, end, unit):
+        """Scatter the values returned for the vertices at[start:end]; `unit` as in `gather`."""
+        for name, values in zip(self._names(returned), returned):
+            if values is None:
+                continue
+            values = self._checked(name, values, end - start)
+            target = self.arrays.get(name)
+            if target is None:
+                target = self._target(name, values.ndim)
+            if values.ndim == 1:
+                scatter(values, at, start, target, unit, POWERS[name])
+            else:
+                for component, column in zip(values, target.T):
+                    scatter(component, at, start, column, unit, POWERS[name])
+
+    def _target(self, name, dimensions):
+        with self._lock:  # the first block to finish allocates
+            if name not in self.arrays:
+                count = len(self._mesh.vertices)
+                shape = (count, 3) if dimensions == 2 else count
+                self.arrays[name] = np.full(shape, np.nan)
+        return self.arrays[name]
+
+    def _names(self, returned):
+        """The names of the values that were returned; InputError where they are something else."""
+        names = getattr(returned, "_fields", ("K", "H"))
+        known = isinstance(returned, tuple) and names in (("K", "H"), Curvatures._fields)
+        if not known or len(returned) != len(names):
+            raise InputError(
+                f"estimator {self.name!r} has to return K and H, not {type(returned).__name__}; "
+                "or curvlib.kit.tensor.Curvatures"
+            )
+        return names
+
+    def _checked(self, name, values, count):
+        """The array (count,), or (3, count) of a direction; InputError for anything else."""
+        expected = (3, count) if name in ("d1", "d2") else (count,)
+        try:
+            found = np.asarray(values)
+        except ValueError as error:
+            raise InputError(f"estimator {self.name!r}: {name}: {error}") from None
+        if found.shape != expected or found.dtype.kind not in "biuf":
+            raise InputError(
+                f"estimator {self.name!r} returned an array of shape {found.shape} of "
+                f"{found.dtype} as {name}, expected {expected} of float64"
+            )
+        return np.asarray(found, dtype=float, order="C")
+
+
+def run(mesh, tasks, threads) -> None:
+    """Call each task's estimator with all rings, disks or the mesh, and store what it returns."""
+    of_rings = [task for task in tasks if task.given == "ring"]
+    if of_rings:
+        _over_rings(mesh, of_rings, threads)
+    every = np.arange(len(mesh.vertices), dtype=np.int32)
+    for task in tasks:
+        if task.given == "disk":
+            _over_disks(mesh, task, every, threads)
+        elif task.given == "mesh":
+            with _quietly():
+                task.store(task.function(mesh, **task.arguments()), every, 0, len(every), 1.0)
+
+
+def _over_rings(mesh, tasks, threads):
+    arguments = [task.arguments(mesh.unit) for task in tasks]
+    fields = [task.field and _field(mesh, task, threads) for task in tasks]
+
+    def work(ring, at, neighbours, start, end):
+        for task, options, field in zip(tasks, arguments, fields):
+            # A stranger's estimator gets a copy, lest others see what it writes to the ring.
+            given = [ring if task.ours else type(ring)(*map(np.copy, ring))]
+            if field is not None:
+                index = np.vstack((at[start:end], neighbours[:, start:end]))
+                given.append(np.ascontiguousarray(field.T[:, index]))
+            task.store(task.function(*given, **options), at, start, end, mesh.unit)
+
+    _each_ring(mesh, work, threads)
+
+
+def _each_ring(mesh, work, threads):
+    """work(ring, at, neighbours, start, end) for blocks of the one-rings of at[start:end]."""
+    normals = mesh.normals
+    if normals is None:
+        normals = np.empty((0, 3))
+        normals.flags.writeable = False  # as those of a mesh: one type, compiled once
+
+    def gathered(block):
+        (at, neighbours), start, end = block
+        ring = gather(mesh.vertices, normals, at, neighbours, start, end, mesh.unit)
+        with _quietly():
+            work(ring, at, neighbours, start, end)
+
+    for_each(gathered, list(_blocks(mesh.find_rings(threads))), threads)
+
+
+def _over_disks(mesh, task, every, threads):
+    options = task.arguments(mesh.unit)
+    field = task.field and _field(mesh, task, threads)
+    disks = _disks(mesh, options, threads)
+
+    def work(block):
+        values = disks.estimates(task.function, tuple(options.values()), *block, field)
+        task.store(values, every, *block, mesh.unit)
+
+    for_each(work, disks.blocks(), threads)
+
+
+def _disks(mesh, options, threads):
+    """The disks that options ask for: `radius`, else `rings`, else one ring."""
+    radius = options.get("radius", np.inf) / mesh.unit
+    return Disks(mesh, options.get("rings", 1), radius, threads)
+
+
+def _field(mesh, task, threads):
+    """The field (V, c) of an estimator, NaN where it has no ring or disk."""
+    function, options = task.field.function, task.field_arguments(mesh.unit)
+    found = []
+    if task.field.given == "ring":
+
+        def work(ring, at, neighbours, start, end):
+            found.append((at[start:end], np.stack(function(ring, **options)).T))
+
+        _each_ring(mesh, work, threads)
+    else:
+        disks, options = _disks(mesh, options, threads), tuple(options.values())
+
+        def work(block):
+            found.append((slice(*block), disks.field(function, options, *block)))
+
+        for_each(work, disks.blocks(), threads)
+    field = np.full((len(mesh.vertices), max((x.shape[1] for _, x in found), default=0)), np.nan)
+    for place, values in found:
+        if values.shape[1]:
+            field[place] = values
+    return field
+
+
+def _blocks(rings):
+    """Yield (batch, start, end): batches of one-rings, BLOCK slots at a time."""
+    for batch in rings:
+        vertices, neighbours = batch
+        # An odd multiple of a cache line: rows of an array fall into different cache sets.
+        step = BLOCK // len(neighbours) // 16 * 16 + 8
+        for start in range(0, len(vertices), step):
+            yield batch, start, min(start + step, len(vertices))
+
+
+def _quietly():
+    """NumPy's error state is per thread."""
+    return np.errstate(divide="ignore", invalid="ignore", over="ignore")

@@ -1,0 +1,121 @@
+"""What an estimator's signature says: what it is given, and its options."""
+
+import functools
+import inspect
+from collections.abc import Hashable
+from typing import get_args
+
+from .catalogue import estimators
+from .errors import InputError, check_name
+from .kit.options import Length, Lengths, Option
+
+# Valid names of an estimator's first parameter, which say what it is given.
+GIVEN = ("ring", "disk", "mesh")
+# Parameters of `curvlib.estimate` itself: no option can have such a name.
+RESERVED = ("mesh", "estimator", "threads")
+
+
+def readings(estimator) -> dict[str, tuple]:
+    """The options of an estimator: name -> valid values, the default first.
+
+    Raises InputError for a parameter without a default or with the name of one of `estimate`'s.
+    """
+    return dict(Signature.of(*resolved(estimator)).options)
+
+
+def resolved(estimator):
+    """Name and function of an estimator: a name, a path, or the function itself."""
+    if callable(estimator) and isinstance(estimator, Hashable):
+        return getattr(estimator, "__name__", "estimate"), estimator
+    return estimator, estimators.module(estimator).estimate
+
+
+class Signature:
+    """What an estimator is given, and its options.
+
+    Attributes
+    ----------
+    name : str
+        Of the estimator, for messages.
+    function : callable
+    given : str
+        The name of its first parameter, one of GIVEN.
+    field : Signature or None
+        Of the function `field` beside one whose second parameter is called so.
+    options : dict
+        Name -> valid values, the default first.
+    """
+
+    @staticmethod
+    @functools.cache
+    def of(name, function) -> "Signature":
+        """The Signature of a function, InputError where it is not one of an estimator's."""
+        return Signature(name, function)
+
+    def __init__(self, name, function):
+        self.name, self.function, self.field = name, function, None
+        try:
+            parameters = list(inspect.signature(function).parameters.values())
+        except ValueError as error:  # of a builtin
+            raise InputError(f"estimator {name!r}: {error}") from None
+        first = parameters[0] if parameters else None
+        if first is None or first.kind not in (
+            first.POSITIONAL_ONLY,
+            first.POSITIONAL_OR_KEYWORD,
+        ):
+            valid = " or ".join(GIVEN)
+            raise InputError(f"estimator {name!r}: its first parameter has to be {valid}")
+        check_name("first parameter", first.name, GIVEN, f"estimator {name!r}")
+        self.given, rest = first.name, parameters[1:]
+        if rest and rest[0].name == "field" and rest[0].default is first.empty:
+            self.field, rest = self._field(), rest[1:]
+        self.options = {p.name: self._values(p) for p in rest}
+
+    def _field(self):
+        beside = getattr(self.function, "py_func", self.function).__globals__.get("field")
+        if not callable(beside):
+            raise InputError(f"estimator {self.name!r}: there is no function `field` beside it")
+        return Signature.of(f"field of {self.name}", beside)
+
+    def _values(self, p):
+        if p.kind != p.POSITIONAL_OR_KEYWORD or p.default is p.empty:
+            raise InputError(f"estimator {self.name!r}: option {p.name!r} has no default")
+        if p.name in RESERVED:
+            raise InputError(
+                f"estimator {self.name!r}: no option can be called {p.name!r}; rename it"
+            )
+        if p.annotation is Length:
+            return Lengths((p.default,))
+        return p.default, *(v for v in get_args(p.annotation) if v != p.default)
+
+    def chosen(self, options) -> dict:
+        """All options, defaults included: Numba compiles anew for each set of keywords.
+
+        Raises InputError for an unknown option or value.
+        """
+        chosen = {option: values[0] for option, values in self.options.items()}
+        for option, value in options.items():
+            check_name(f"option of {self.name}", option, self.options)
+            values = self.options[option]
+            if not isinstance(values, Lengths):
+                check_name(f"{option} of {self.name}", value, values)
+                value = values[values.index(value)]
+            elif value not in values:
+                raise InputError(
+                    f"{option} of {self.name}: {value!r} is no length; valid: a positive number in "
+                    "the unit of the mesh, or text such as '5 edges' for five mean edges"
+                )
+            chosen[option] = value
+        return chosen
+
+    def arguments(self, chosen, mesh, unit) -> dict:
+        """Options as the function gets them: strings as Option, a Length as a number, lengths of
+        the mesh being multiplied by `unit`."""
+        return {
+            option: Lengths.of(value, mesh, unit)
+            if isinstance(self.options[option], Lengths)
+            else Option(value)
+            if isinstance(value, str)
+            else value
+            for option, value in chosen.items()
+        }
