@@ -63,8 +63,9 @@ class Signature:
             first.POSITIONAL_ONLY,
             first.POSITIONAL_OR_KEYWORD,
         ):
-            valid = " or ".join(GIVEN)
-            raise InputError(f"estimator {name!r}: its first parameter has to be {valid}")
+            raise InputError(
+                f"estimator {name!r}: its first parameter has to be ring, disk or mesh"
+            )
         check_name("first parameter", first.name, GIVEN, f"estimator {name!r}")
         self.given, rest = first.name, parameters[1:]
         if rest and rest[0].name == "field" and rest[0].default is first.empty:

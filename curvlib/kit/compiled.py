@@ -39,7 +39,7 @@ def compiled(function):
     an assignment to a slice, a reduction such as x.max() or an expression of whole arrays costs
     it 0.3 to 1.5 s: loops over elements are compiled in a tenth of that.
     """
-    return _compiled(function, _Part)
+    return _compiled(function, _Part, counted=True)
 
 
 def kernel(function):
@@ -49,17 +49,18 @@ def kernel(function):
     it: calls and atomic operations would take half of the time of a loop over disks. It cannot make
     arrays, but parts of one that it is given (`curvlib.kit.parts.part`).
     """
-    return _compiled(function, _Inlined, _nrt=False)
+    return _compiled(function, _Inlined, counted=False)
 
 
-def _compiled(function, library, **options):
+def _compiled(function, library, counted):
     held = [getattr(cell.cell_contents, "py_func", None) for cell in function.__closure__ or ()]
     inner = [f for f in held if f]
     if inner:
         function.__qualname__ = f"{function.__name__}_{_identity(inner)}"
     # No function is called through a C pointer, for which Numba would compile a second wrapper.
-    options |= {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True}
-    jit = numba.njit(**options)(function)
+    options = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True}
+    # Set in any case: else it would be that of the function which this one is compiled for.
+    jit = numba.njit(**options, _nrt=counted)(function)
     if config.DISABLE_JIT:
         return jit
     if all(Path(f.__code__.co_filename).exists() for f in (function, *inner)) and _folder():

@@ -111,16 +111,22 @@ class Disks:
 
 
 @kernel
-def _disk(reach, scratch, v):
-    """The Disk of a vertex; its count is -1 where the Scratch does not suffice."""
-    vertices, offsets, neighbours, stars, unit, rings, radius = reach
-    stamps, found, hops, space, _ = scratch
+def _find(reach, scratch, v):
+    """The number of neighbours of a vertex, found; -1 where the Scratch does not suffice."""
+    vertices, offsets, neighbours, _, _, rings, radius = reach
+    stamps, found, hops, _, _ = scratch
     if radius < np.inf:
-        count = within(offsets, neighbours, vertices, v, radius, stamps, found, hops)
-    else:
-        count = k_rings(offsets, neighbours, v, rings, stamps, found, hops)
-    closed = stars[v] == CLOSED
-    normal = star_normal(vertices, v, neighbours, offsets[v], offsets[v + 1], closed, unit)
+        return within(offsets, neighbours, vertices, v, radius, stamps, found, hops)
+    return k_rings(offsets, neighbours, v, rings, stamps, found, hops)
+
+
+@kernel
+def _disk(reach, scratch, v, count):
+    """The Disk of a vertex and the `count` neighbours that were found."""
+    vertices, offsets, neighbours, stars, unit, _, _ = reach
+    _, found, hops, space, _ = scratch
+    first, last, closed = offsets[v], offsets[v + 1], stars[v] == CLOSED
+    normal = star_normal(vertices, v, neighbours, first, last, closed, unit)
     return gather(vertices, v, found, hops, count, normal, unit, space)
 
 
@@ -140,9 +146,10 @@ def _estimates(function, alone):
         given = (False, False, False, False, False, False)
         for v in range(start, end):
             if reach.stars[v] != BROKEN:
-                disk = _disk(reach, scratch, v)
-                if disk.count < 0:
+                count = _find(reach, scratch, v)
+                if count < 0:
                     return None
+                disk = _disk(reach, scratch, v, count)
                 returned = function(disk, *options)
                 values = _values(*returned)
                 for k in range(10):
@@ -154,10 +161,13 @@ def _estimates(function, alone):
         given = (False, False, False, False, False, False)
         for v in range(start, end):
             if reach.stars[v] != BROKEN:
-                disk = _disk(reach, scratch, v)
-                if disk.count < 0:
+                count = _find(reach, scratch, v)
+                if count < 0:
                     return None
-                returned = function(disk, _beside(disk, scratch, field, v), *options)
+                disk = _disk(reach, scratch, v, count)
+                beside = part(scratch.beside, 0, (field.shape[1], 1 + len(disk.weights)))
+                _gather(field, v, scratch.found, count, beside)
+                returned = function(disk, beside, *options)
                 values = _values(*returned)
                 for k in range(10):
                     out[v - start, k] = values[k]
@@ -178,9 +188,10 @@ def _field(function):
         components = 0
         for v in range(start, end):
             if reach.stars[v] != BROKEN:
-                disk = _disk(reach, scratch, v)
-                if disk.count < 0:
+                count = _find(reach, scratch, v)
+                if count < 0:
                     return None
+                disk = _disk(reach, scratch, v, count)
                 returned = function(disk, *options)
                 components = len(returned)
                 if components > WIDEST:
@@ -193,20 +204,17 @@ def _field(function):
 
 
 @kernel
-def _beside(disk, scratch, field, v):
-    """The field (c, 1 + n) at the vertex and its neighbours, zeros for padding."""
-    n, components = len(disk.weights), field.shape[1]
-    beside = part(scratch.beside, 0, (components, 1 + n))
+def _gather(field, v, found, count, beside):
+    """Set `beside` (c, 1 + n) to the field at the vertex and its neighbours, padding to zero."""
+    components, width = beside.shape
     for c in range(components):
         beside[c, 0] = field[v, c]
-    for i in range(disk.count):
-        u = np.uint64(scratch.found[i])
+        for i in range(1 + count, width):
+            beside[c, i] = 0.0
+    for i in range(count):
+        u = np.uint64(found[i])
         for c in range(components):
             beside[c, 1 + i] = field[u, c]
-    for c in range(components):
-        for i in range(disk.count, n):
-            beside[c, 1 + i] = 0.0
-    return beside
 
 
 @kernel

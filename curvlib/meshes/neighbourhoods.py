@@ -46,8 +46,7 @@ def adjacency(faces, total, threads: int = 1) -> Adjacency:
         lengths = np.zeros(len(valence), dtype=np.int64)
         stars = np.zeros(len(valence), dtype=np.uint8)
         row = np.empty(len(pairs) + len(valence), dtype=np.int32)
-        largest = int(np.diff(begin).max(initial=0)) + 1
-        table = table_of(largest if largest >= MANY else 0)
+        table = table_of(int(np.diff(begin).max(initial=0)) + 1)
         return row[: _rows(pairs, begin, valence, table, lengths, stars, row)], lengths, stars
 
     # Without vertices there is no bucket.
@@ -103,22 +102,16 @@ def _closed(pairs, table):
 @compiled
 def _loose(pairs, table):
     """The one vertex at which a pair ends and none starts; -1 where there is not exactly one."""
-    n, bits = len(pairs), 1
-    if n >= MANY:
-        while 1 << bits < 2 * n:
-            bits += 1
-        for slot in range(1 << bits):
-            table[slot] = -1
-        for i in range(n):
-            table[slot_of(pairs[i] >> 32, pairs, table, bits)] = i
-    loose = -1
+    n, bits, loose = len(pairs), 1, -1
+    while 1 << bits < 2 * n:
+        bits += 1
+    for slot in range(1 << bits):
+        table[slot] = -1
+    for i in range(n):
+        table[slot_of(pairs[i] >> 32, pairs, table, bits)] = i
     for i in range(n):
         vertex = pairs[i] & LAST
-        if n < MANY:
-            starts = find(vertex, pairs, 0) < n
-        else:
-            starts = table[slot_of(vertex, pairs, table, bits)] >= 0
-        if not starts:
+        if table[slot_of(vertex, pairs, table, bits)] < 0:
             if loose >= 0:
                 return -1
             loose = vertex
@@ -167,8 +160,11 @@ def k_rings(offsets, neighbours, v, rings, stamps, found, hops):
 
 @kernel
 def _new(offsets, neighbours, u, mark, stamps, found, count):
-    """Append the neighbours of u that have no mark, and mark them; the new count."""
+    """Append the neighbours of u that have no mark, and mark them; the new count, or just more
+    than MOST where they alone are as many."""
     first, last = offsets[u], offsets[u + np.uint64(1)]
+    if last - first > MOST:
+        return MOST + 1
     if last > first:
         # STEPS in any row, the last neighbour again and again in a shorter one, and found[count]
         # is written in any case: no branches to be predicted.

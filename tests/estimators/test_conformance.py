@@ -10,13 +10,28 @@ import reference
 import curvlib
 from curvlib.catalogue import estimators as catalogue
 from curvlib.claims.cell import NINE as PAPER
-from curvlib.signatures import readings
+from curvlib.signatures import Signature, readings, resolved
 
 ESTIMATORS = curvlib.estimators()
+GIVEN = {name: Signature.of(*resolved(name)).given for name in ESTIMATORS}
 
 
 def test_the_nine_of_the_paper_are_there():
     assert set(PAPER) <= set(ESTIMATORS)
+
+
+def around(faces, vertices, rings):
+    """(V,) bool: the vertices within some rings of others."""
+    found = np.zeros(faces.max() + 1, bool)
+    found[vertices] = True
+    for _ in range(rings):
+        found[faces[found[faces].any(1)]] = True
+    return found
+
+
+def reach(name):
+    """How many rings away a vertex can change the value."""
+    return readings(name).get("rings", (1,))[0]
 
 
 def assert_estimates(found, expected, tolerance=1e-9):
@@ -35,7 +50,7 @@ class TestConformance:
         for values in curvlib.estimate((ball.points.astype(float), ball.regular_faces), name):
             if np.isfinite(values).any():
                 off = np.sort(np.abs(values - 1))
-                assert np.median(off) < 0.005
+                assert np.median(off) < (0.005 if GIVEN[name] == "ring" else 0.02)
                 assert off[-13] < 0.04
                 assert off[-1] < 0.15
 
@@ -83,17 +98,20 @@ class TestConformance:
             assert difference > 1e-6, f"{name} says it is one-sided, but is not: {one_sided}"
 
     def test_nan_on_the_boundary_and_nowhere_else(self, name):
+        """Given disks, not even there."""
         m = curvlib.tessellate(curvlib.surface("revolution"), 9)
         for values in curvlib.estimate(m, name):
             undefined = np.isnan(values)
             if name in PAPER:
                 assert not undefined.all()
             if not undefined.all():
-                np.testing.assert_array_equal(undefined, m.boundary)
+                expected = m.boundary & (GIVEN[name] == "ring")
+                np.testing.assert_array_equal(undefined, expected)
 
     def test_nan_where_the_ring_is_broken(self, name, sphere):
         """A third face on an edge, two spheres that share a vertex, a face turned over, a vertex
-        without faces: NaN there, and elsewhere the values of the whole sphere."""
+        without faces: NaN there, finite elsewhere, and out of reach the values of the whole
+        sphere."""
         expected = curvlib.estimate(sphere, name)
         count = len(sphere.vertices)
         a, b = sphere.faces[100, :2]
@@ -102,14 +120,16 @@ class TestConformance:
         r = curvlib.estimate((extra, fin), name)
         broken = np.isin(np.arange(count), (a, b))
         assert np.isnan(np.r_[r.K[:count][broken], r.K[count:], r.H[count:]]).all()
-        keep = ~broken
+        assert np.isfinite(r.K[:count][~broken]).all() or np.isnan(expected.K).all()
+        keep = ~around(sphere.faces, [a, b], reach(name))
         assert_estimates((r.K[:count][keep], r.H[:count][keep]), (e[keep] for e in expected))
 
         twin = np.where(sphere.faces == 0, 0, sphere.faces + count - 1)
         both = np.vstack((sphere.vertices, 2 * sphere.vertices[0] - sphere.vertices[1:]))
         r = curvlib.estimate((both, np.vstack((sphere.faces, twin[:, ::-1]))), name)
         assert np.isnan(r.K[0])
-        assert_estimates((r.K[1:count], r.H[1:count]), (e[1:] for e in expected))
+        keep = ~around(sphere.faces, [0], reach(name) if GIVEN[name] == "disk" else 0)
+        assert_estimates((r.K[:count][keep], r.H[:count][keep]), (e[keep] for e in expected))
 
         turned = sphere.faces.copy()
         turned[50] = turned[50, ::-1]
@@ -121,8 +141,8 @@ class TestConformance:
     @pytest.mark.parametrize("normal", ["default", "uniform", "area", "exact"])
     def test_degenerate_triangle(self, name, ellipsoid, normal):
         """Two vertices in one place or but for rounding, three in one line or but for rounding:
-        NaN at the vertices of the triangle, in each quantity and with each normal; elsewhere the
-        values are finite."""
+        NaN at the vertices of the triangle, in each quantity and with each normal; elsewhere, and
+        given disks, which do without that triangle, the values are finite."""
         chosen = {} if normal == "default" else {"normal": normal}
         if chosen and "normal" not in readings(name):
             return
@@ -139,6 +159,7 @@ class TestConformance:
             area = [reference.degenerate(vertices[f]) for f in ellipsoid.faces]
             expected = np.isin(np.arange(len(vertices)), ellipsoid.faces[area])
             assert expected[[a, b, c]].all()
+            expected &= GIVEN[name] == "ring"
             for values in curvlib.estimate(mesh, name, **chosen):
                 if name in PAPER or np.isfinite(values).any():
                     np.testing.assert_array_equal(np.isnan(values), expected)
@@ -188,7 +209,8 @@ class TestConformance:
     def test_one_vertex_at_a_time_is_the_same(self, name, ellipsoid):
         """No value depends on the batch that it was computed in."""
         whole = curvlib.estimate(ellipsoid, name)
-        some = ellipsoid.faces[(ellipsoid.faces == 40).any(1)]
+        near = around(ellipsoid.faces, [40], reach(name) - 1)
+        some = ellipsoid.faces[near[ellipsoid.faces].any(1)]
         assert_estimates(
             (x[[40]] for x in curvlib.estimate((ellipsoid.vertices, some), name)),
             (x[[40]] for x in whole),

@@ -57,8 +57,8 @@ def test_plain_numpy_on_rings_from_elsewhere(tmp_path, sphere):
         ("ring", "ring.areas[0] * 1j, None", "returned an array .* of complex128 as K"),
         ("ring", "None, ['a'] * ring.areas.shape[1]", "returned an array .* of <U1 as H"),
         ("ring", "[1, [2]], None", "K: setting an array element with a sequence"),
-        ("", "None", "its first parameter has to be ring or mesh"),
-        ("*, ring=0", "None", "its first parameter has to be ring or mesh"),
+        ("", "None", "its first parameter has to be ring, disk or mesh"),
+        ("*, ring=0", "None", "its first parameter has to be ring, disk or mesh"),
         ("ring", "None", "has to return K and H, not NoneType"),
         ("ring, area", "ring.areas[0], None", "option 'area' has no default"),
         ("ring, **options", "ring.areas[0], None", "option 'options' has no default"),
@@ -148,7 +148,7 @@ def test_several_at_once_on_any_number_of_threads_are_the_same(monkeypatch):
     """Bit by bit, whether alone or together, in one block and bucket or several."""
     m = curvlib.tessellate(curvlib.surface("ellipsoid"), 16, "random", seed=7)
     alone = {name: curvlib.estimate(m, name) for name in PAPER}
-    monkeypatch.setattr("curvlib.estimation.BLOCK", 200)
+    monkeypatch.setattr("curvlib.passes.BLOCK", 200)
     monkeypatch.setattr("curvlib.meshes.corners.SHIFT", 5)
     monkeypatch.setattr("curvlib.meshes.corners.PART", 37)
     for threads in (1, 2, 5):
