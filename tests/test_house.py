@@ -28,10 +28,19 @@ DOORS = {
     "passes": {"catalogue", "errors", "kit", "meshes", "parallel"},
     "estimation": {"errors", "estimates", "meshes", "passes", "signatures"},
     "dataset": {"errors", "files", "meshes", "nurbs"},
-    "comparison": {"catalogue", "errors", "estimation", "files", "kit", "meshes", "surfaces"},
+    "comparison": {
+        "catalogue",
+        "errors",
+        "estimation",
+        "files",
+        "kit",
+        "meshes",
+        "signatures",
+        "surfaces",
+    },
     "claims": {"comparison"},
     "figures": {"comparison", "errors", "files"},
-    "study": {"catalogue", "comparison", "errors", "estimation", "files", "nurbs"},
+    "study": {"catalogue", "comparison", "errors", "files", "nurbs", "signatures"},
     "commands": {"dataset", "errors", "__version__"},
 }
 

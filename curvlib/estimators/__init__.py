@@ -8,11 +8,13 @@ curves are drawn), and
         return K, H
 
 The name of the first parameter says what it is given: `ring`, a batch of m closed one-rings of
-one valence (curvlib.kit.ring); `mesh`, the whole curvlib.Mesh. The keyword options are its
-readings, their Literal the valid values. It returns K and H, or the six fields of
-curvlib.kit.tensor.Curvatures: arrays (m,), directions (3, m), pointwise; (V,) and (3, V) where it
-is given the mesh; None for what it does not estimate. It must not
-write to the arrays that it is given: a file from elsewhere gets its own copy of a ring.
+one valence (curvlib.kit.ring); `disk`, one vertex and its neighbours (curvlib.kit.disk); `mesh`,
+the whole curvlib.Mesh. The keyword options are its readings, their Literal the valid values; those
+called `rings` and `radius` say how far a disk reaches. It returns K and H, or the six fields of
+curvlib.kit.tensor.Curvatures: arrays (m,), directions (3, m), pointwise; numbers where it is given
+a disk, (V,) and (3, V) where it is given the mesh; None for what it does not estimate. It must not
+write to a ring: a file from elsewhere gets its own copy. Two passes: `estimate(disk, field)` is
+given the values of `field(disk)`, a function beside it, at the vertices of the disk; so with rings.
 
 Compiled code runs fast and on several threads; without the decorator it is NumPy on the same
 arrays. The nine of the paper are Python that calls compiled functions: one that several estimators

@@ -3,12 +3,17 @@
 This room is public: an estimator imports from here and from other estimators, nothing else of
 curvlib, and names and meaning here do not change between minor versions.
 
-`compiled`  the decorator that has Numba compile a function, and keeps the result
+`compiled`  decorators that have Numba compile a function, and keep the result
 `vectors`   triples of numbers: dot, cross, norm
 `ring`      batches of closed one-rings in the paper's letters: e_i, alpha_i, beta_i
 `batch`     rings gathered from the vertices of a mesh, values scattered to them
 `frame`     their normal N_v, coordinates in the tangent plane and normal curvatures kn_i
 `fit`       batches of small least-squares problems
+`disk`      a vertex and its neighbours over some rings, or within a length
+`polynomial` a polynomial fitted to a disk, by normal equations
+`lanes`     rows of a matrix as vectors: dot products, projections, elimination
+`parts`     parts of an array as arrays of another shape
+`options`   types of options
 `tensor`    from a second fundamental form, a graph or K and H to K, H, k1, k2, d1, d2
 
 Arrays are component first, vector lanes last: (3, n, m) holds n edge vectors of m rings, so that

@@ -117,8 +117,8 @@ def wavy(x, y):
     ],
 )
 def test_order_on_irregular_meshes(name, options, order):
-    """Of K and H at every vertex, in the mean; at the boundary, of the median error, since corners have
-    a jet of lower degree."""
+    """Of K and H in the mean over interior vertices; at the boundary of the median, since corners
+    have a jet of lower degree."""
     errors = []
     for n in (33, 65):
         mesh = graph(n, wavy)
