@@ -92,11 +92,11 @@ def run(mesh, tasks, threads) -> None:
     of_rings = [task for task in tasks if task.given == "ring"]
     if of_rings:
         _over_rings(mesh, of_rings, threads)
-    every = np.arange(len(mesh.vertices), dtype=np.int32)
     for task in tasks:
         if task.given == "disk":
-            _over_disks(mesh, task, every, threads)
+            _over_disks(mesh, task, threads)
         elif task.given == "mesh":
+            every = np.arange(len(mesh.vertices), dtype=np.int32)
             with _quietly():
                 task.store(task.function(mesh, **task.arguments()), every, 0, len(every), 1.0)
 
@@ -133,16 +133,11 @@ def _each_ring(mesh, work, threads):
     for_each(gathered, list(_blocks(mesh.find_rings(threads))), threads)
 
 
-def _over_disks(mesh, task, every, threads):
+def _over_disks(mesh, task, threads):
     options = task.arguments(mesh.unit)
     field = task.field and _field(mesh, task, threads)
     disks = _disks(mesh, options, threads)
-
-    def work(block):
-        values = disks.estimates(task.function, tuple(options.values()), *block, field)
-        task.store(values, every, *block, mesh.unit)
-
-    for_each(work, disks.blocks(), threads)
+    task.arrays = disks.estimates(task.function, tuple(options.values()), field, threads)
 
 
 def _disks(mesh, options, threads):
@@ -154,24 +149,18 @@ def _disks(mesh, options, threads):
 def _field(mesh, task, threads):
     """The field (V, c) of an estimator, NaN where it has no ring or disk."""
     function, options = task.field.function, task.field_arguments(mesh.unit)
+    if task.field.given == "disk":
+        disks = _disks(mesh, options, threads)
+        return disks.field(function, tuple(options.values()), threads)
     found = []
-    if task.field.given == "ring":
 
-        def work(ring, at, neighbours, start, end):
-            found.append((at[start:end], np.stack(function(ring, **options)).T))
+    def work(ring, at, neighbours, start, end):
+        found.append((at[start:end], np.stack(function(ring, **options))))
 
-        _each_ring(mesh, work, threads)
-    else:
-        disks, options = _disks(mesh, options, threads), tuple(options.values())
-
-        def work(block):
-            found.append((slice(*block), disks.field(function, options, *block)))
-
-        for_each(work, disks.blocks(), threads)
-    field = np.full((len(mesh.vertices), max((x.shape[1] for _, x in found), default=0)), np.nan)
-    for place, values in found:
-        if values.shape[1]:
-            field[place] = values
+    _each_ring(mesh, work, threads)
+    field = np.full((len(mesh.vertices), max((len(x) for _, x in found), default=0)), np.nan)
+    for vertices, values in found:
+        field[vertices] = values.T
     return field
 
 

@@ -60,10 +60,7 @@ def _gather(vertices, normals, centres, neighbours, start, end, unit):
 
 @compiled
 def scatter(values, centres, start, target, unit, power):
-    """Scatter values (m,) to target[centres[start:start + m]], in the unit of the mesh.
-
-    The only place that turns undefined values into NaN: infinite ones, and those that are
-    subnormal or underflow in the unit of the mesh.
+    """Scatter values (m,) to target[centres[start:start + m]], `settled` in the unit of the mesh.
 
     Parameters
     ----------
@@ -81,8 +78,31 @@ def scatter(values, centres, start, target, unit, power):
         Of 1/length that the values scale with: 2 for K, 1 for H, 0 for directions.
     """
     for k in range(len(values)):
-        value = values[k]
-        for _ in range(power):
-            value *= unit
-        lost = abs(value) < SMALLEST and values[k] != 0
-        target[centres[start + k]] = value if math.isfinite(value) and not lost else math.nan
+        target[centres[start + k]] = settled(values[k], unit, power)
+
+
+@compiled
+def settled(value, unit, power):
+    """A value in the unit of the mesh, NaN where it is undefined.
+
+    The only place that makes NaN of undefined values: infinite ones, and those that are subnormal
+    or underflow in the unit of the mesh.
+
+    Parameters
+    ----------
+    value : float
+        In the unit of the Ring or Disk.
+    unit : float
+        As in `gather`.
+    power : int
+        As in `scatter`.
+
+    Returns
+    -------
+    float
+    """
+    found = value
+    for _ in range(power):
+        found *= unit
+    lost = abs(found) < SMALLEST and value != 0
+    return found if math.isfinite(found) and not lost else math.nan

@@ -12,7 +12,7 @@ from .compiled import kernel
 from .lanes import LANES
 from .parts import part
 from .ring import SHEET
-from .vectors import add, cross, divide, norm
+from .vectors import add, cross, divide, dot
 
 ROWS, SPACE = 64, 4096
 
@@ -29,8 +29,8 @@ weights : (n,)
 hops : (n,) uint8
     Distance from v in edges, at most 255; 0 for padding.
 normal : tuple of 3 floats
-    Unit mean of the normals of the triangles at v, weighted by area; NaN where they cancel: the sum
-    is shorter than SHEET times the sum of the lengths.
+    Unit mean of the normals of the triangles at v, weighted by area; NaN where they cancel, as
+    `star_normal` says.
 radius : float
     The largest |v_i - v|.
 count : int
@@ -115,11 +115,11 @@ def star_normal(vertices, v, neighbours, first, last, closed, unit):
     Returns
     -------
     tuple of 3 floats
-        Unit; NaN where the normals cancel: their sum is shorter than SHEET times the sum of their
-        lengths.
+        Unit; NaN where the normals cancel: the square of their sum is at most SHEET^2 times their
+        number times the sum of their squares, which is not less than that of their lengths squared.
     """
     x, y, z = vertices[v, 0], vertices[v, 1], vertices[v, 2]
-    total, length, before, start = (0.0, 0.0, 0.0), 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    total, squares, before, start = (0.0, 0.0, 0.0), 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
     for i in range(first, last):
         u = np.uint64(neighbours[i])
         e = (vertices[u, 0] - x) * unit, (vertices[u, 1] - y) * unit, (vertices[u, 2] - z) * unit
@@ -127,10 +127,11 @@ def star_normal(vertices, v, neighbours, first, last, closed, unit):
             start = e
         else:
             facet = cross(before, e)
-            total, length = add(total, 1.0, facet), length + norm(facet)
+            total, squares = add(total, 1.0, facet), squares + dot(facet, facet)
         before = e
     if closed:
         facet = cross(before, start)
-        total, length = add(total, 1.0, facet), length + norm(facet)
-    size = norm(total)
-    return divide(total, size if size > SHEET * length else np.nan)
+        total, squares = add(total, 1.0, facet), squares + dot(facet, facet)
+    square = dot(total, total)
+    proper = square > SHEET**2 * (last - first) * squares
+    return divide(total, np.sqrt(square) if proper else np.nan)

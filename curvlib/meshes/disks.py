@@ -6,11 +6,13 @@ from collections import namedtuple
 import numpy as np
 
 from curvlib.errors import InputError
+from curvlib.kit.batch import settled
 from curvlib.kit.compiled import compiled, kernel
 from curvlib.kit.disk import gather, space_for, star_normal
 from curvlib.kit.lanes import LANES
 from curvlib.kit.parts import part
 from curvlib.kit.tensor import Curvatures
+from curvlib.parallel import for_each
 
 from .neighbourhoods import BROKEN, CLOSED, MOST, k_rings, within
 
@@ -19,11 +21,13 @@ BLOCK = 2048
 # The most components of a field.
 WIDEST = 32
 
+NONE, UNDEFINED = (False,) * 6, (np.nan,) * 10
+
 Reach = namedtuple("Reach", "vertices offsets neighbours stars unit rings radius")
 Reach.__doc__ = """What a disk is gathered from, a mesh's vertices, its Adjacency and unit; and how
 far, within `radius` where that is finite, else `rings`."""
 
-Scratch = namedtuple("Scratch", "stamps found hops space beside")
+Scratch = namedtuple("Scratch", "stamps found hops space beside values")
 Scratch.__doc__ = """Memory of a thread.
 
 Attributes
@@ -36,6 +40,8 @@ space
     As in `gather`.
 beside : (WIDEST (length + LANES),)
     For the field at the vertices of a disk.
+values : (BLOCK, 10)
+    Of the block.
 """
 
 
@@ -46,58 +52,63 @@ class Disks:
         adjacency = mesh.find_adjacency(threads)
         self._reach = Reach(mesh.vertices, *adjacency[:3], mesh.unit, rings, radius)
         self._length = MOST + adjacency.widest + 1
-        self._idle = []
 
-    def blocks(self):
-        """(start, end) of the vertices that a thread takes at a time."""
-        count = len(self._reach.vertices)
-        return [(start, min(start + BLOCK, count)) for start in range(0, count, BLOCK)]
-
-    def estimates(self, function, options, start, end, field):
-        """Values of an estimator at the vertices start ... end - 1.
+    def estimates(self, function, options, field, threads) -> dict:
+        """The values of an estimator at all vertices, in the unit of the mesh.
 
         Parameters
         ----------
         function : callable
             `function(disk, *options)`; or `function(disk, field, *options)`.
         options : tuple
-        start, end : int
         field : (V, c) or None
             Gathered to (c, 1 + n): first at the vertex, then at its neighbours.
+        threads : int
 
         Returns
         -------
-        Curvatures
-            (m,) and (3, m), NaN where there is no disk; None for what the function does not return,
-            and all None where there is no disk at all.
+        dict
+            Name -> (V,) or (V, 3), NaN where there is no disk, of what the function returns; empty
+            where there is no disk at all.
         """
-        out = np.full((end - start, 10), np.nan)
-        given = self._run(_estimates(function, field is None), start, end, out, options, field)
-        if given[2] != given[3]:
+        count = len(self._reach.vertices)
+        # Memory of those that the function does not return is never touched.
+        out = Curvatures(*(np.empty(count) for _ in range(4)), *np.empty((2, count, 3)))
+        given = self._run(_estimates(function, field is None), out, options, field, threads)
+        returned = np.any([NONE, *given], axis=0)
+        if returned[2] != returned[3]:
             raise InputError("an estimator has to return K and H, or curvlib.kit.tensor.Curvatures")
-        rows = (*out.T[:4], out.T[4:7], out.T[7:])
-        return Curvatures(*(row if returned else None for row, returned in zip(rows, given)))
+        found = {name: x for name, x, there in zip(out._fields, out, returned) if there}
+        for block in np.flatnonzero(~np.any(given, axis=1)) if found else ():
+            for x in found.values():
+                x[block * BLOCK : (block + 1) * BLOCK] = np.nan
+        return found
 
-    def field(self, function, options, start, end):
-        """Components (m, c) of `function(disk, *options)` at the vertices start ... end - 1; NaN
-        where there is no disk, (m, 0) where there is none at all."""
-        out = np.full((end - start, WIDEST), np.nan)
-        return out[:, : self._run(_field(function), start, end, out, options, None)]
+    def field(self, function, options, threads):
+        """Components (V, c) of `function(disk, *options)` at all vertices, NaN where there is no
+        disk; (V, 0) where there is none at all."""
+        out = np.full((len(self._reach.vertices), WIDEST), np.nan)
+        return out[:, : max(self._run(_field(function), out, options, None, threads), default=0)]
 
-    def _run(self, loop, start, end, out, options, field):
-        try:
-            scratch = self._idle.pop()
-        except IndexError:
-            scratch = self._scratch()
-        if field is None:
-            field = np.empty((0, 0))
-        returned = loop(self._reach, start, end, scratch, field, options, out)
-        while returned is None:
-            self._length = 2 * len(scratch.found)
-            scratch = self._scratch()
-            returned = loop(self._reach, start, end, scratch, field, options, out)
-        self._idle.append(scratch)
-        return returned
+    def _run(self, loop, out, options, field, threads):
+        count = len(self._reach.vertices)
+        field, idle = np.empty((0, 0)) if field is None else field, []
+
+        def work(start):
+            try:
+                scratch = idle.pop()
+            except IndexError:
+                scratch = self._scratch()
+            end, returned = min(start + BLOCK, count), None
+            while returned is None:
+                returned = loop(self._reach, start, end, scratch, field, options, out)
+                if returned is None:
+                    self._length = 2 * len(scratch.found)
+                    scratch = self._scratch()
+            idle.append(scratch)
+            return returned
+
+        return for_each(work, range(0, count, BLOCK), threads)
 
     def _scratch(self):
         count, length = len(self._reach.vertices), self._length
@@ -107,6 +118,7 @@ class Disks:
             np.empty(length + LANES, np.uint8),
             space_for(length),
             np.empty(WIDEST * (length + LANES)),
+            np.empty((BLOCK, 10)),
         )
 
 
@@ -114,7 +126,7 @@ class Disks:
 def _find(reach, scratch, v):
     """The number of neighbours of a vertex, found; -1 where the Scratch does not suffice."""
     vertices, offsets, neighbours, _, _, rings, radius = reach
-    stamps, found, hops, _, _ = scratch
+    stamps, found, hops, _, _, _ = scratch
     if radius < np.inf:
         return within(offsets, neighbours, vertices, v, radius, stamps, found, hops)
     return k_rings(offsets, neighbours, v, rings, stamps, found, hops)
@@ -124,7 +136,7 @@ def _find(reach, scratch, v):
 def _disk(reach, scratch, v, count):
     """The Disk of a vertex and the `count` neighbours that were found."""
     vertices, offsets, neighbours, stars, unit, _, _ = reach
-    _, found, hops, space, _ = scratch
+    _, found, hops, space, _, _ = scratch
     first, last, closed = offsets[v], offsets[v + 1], stars[v] == CLOSED
     normal = star_normal(vertices, v, neighbours, first, last, closed, unit)
     return gather(vertices, v, found, hops, count, normal, unit, space)
@@ -143,7 +155,7 @@ def _estimates(function, alone):
     function = _compiled(function)
 
     def loop(reach, start, end, scratch, field, options, out):
-        given = (False, False, False, False, False, False)
+        given = NONE
         for v in range(start, end):
             if reach.stars[v] != BROKEN:
                 count = _find(reach, scratch, v)
@@ -151,14 +163,16 @@ def _estimates(function, alone):
                     return None
                 disk = _disk(reach, scratch, v, count)
                 returned = function(disk, *options)
-                values = _values(*returned)
-                for k in range(10):
-                    out[v - start, k] = values[k]
-                given = _given(*returned)
+                given, values = _given(*returned), _values(*returned)
+            else:
+                values = UNDEFINED
+            for k in range(10):
+                scratch.values[v - start, k] = values[k]
+        _scatter(scratch.values, start, end, reach.unit, given, out)
         return given
 
     def loop_with_field(reach, start, end, scratch, field, options, out):
-        given = (False, False, False, False, False, False)
+        given = NONE
         for v in range(start, end):
             if reach.stars[v] != BROKEN:
                 count = _find(reach, scratch, v)
@@ -168,10 +182,12 @@ def _estimates(function, alone):
                 beside = part(scratch.beside, 0, (field.shape[1], 1 + len(disk.weights)))
                 _gather(field, v, scratch.found, count, beside)
                 returned = function(disk, beside, *options)
-                values = _values(*returned)
-                for k in range(10):
-                    out[v - start, k] = values[k]
-                given = _given(*returned)
+                given, values = _given(*returned), _values(*returned)
+            else:
+                values = UNDEFINED
+            for k in range(10):
+                scratch.values[v - start, k] = values[k]
+        _scatter(scratch.values, start, end, reach.unit, given, out)
         return given
 
     return kernel(loop if alone else loop_with_field)
@@ -197,7 +213,7 @@ def _field(function):
                 if components > WIDEST:
                     raise InputError("a field has more than 32 components")
                 for k in range(components):
-                    out[v - start, k] = returned[k]
+                    out[v, k] = returned[k]
         return components
 
     return kernel(loop)
@@ -215,6 +231,28 @@ def _gather(field, v, found, count, beside):
         u = np.uint64(found[i])
         for c in range(components):
             beside[c, 1 + i] = field[u, c]
+
+
+@kernel
+def _scatter(values, start, end, unit, given, out):
+    """Scatter the values of a block, in the unit of the mesh.
+
+    One quantity after the other: the pages of ten arrays fall into the same cache sets.
+    """
+    for v in range(start, end if given[0] else start):
+        out.K[v] = settled(values[v - start, 0], unit, 2)
+    for v in range(start, end if given[1] else start):
+        out.H[v] = settled(values[v - start, 1], unit, 1)
+    for v in range(start, end if given[2] else start):
+        out.k1[v] = settled(values[v - start, 2], unit, 1)
+    for v in range(start, end if given[3] else start):
+        out.k2[v] = settled(values[v - start, 3], unit, 1)
+    for v in range(start, end if given[4] else start):
+        for c in range(3):
+            out.d1[v, c] = settled(values[v - start, 4 + c], unit, 0)
+    for v in range(start, end if given[5] else start):
+        for c in range(3):
+            out.d2[v, c] = settled(values[v - start, 7 + c], unit, 0)
 
 
 @kernel
