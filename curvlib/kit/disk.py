@@ -44,8 +44,14 @@ space : (SPACE,)
 
 
 def space_for(count):
-    """The `space` that `gather` needs for up to `count` neighbours."""
-    return np.empty(ROWS * (count + LANES) + SPACE)
+    """The `space` that `gather` needs for up to `count` neighbours.
+
+    It begins at a multiple of 64 bytes, and so do all rows: others would take twice the time, each
+    vector lying in two cache lines.
+    """
+    room = np.empty(ROWS * (count + LANES) + SPACE + LANES)
+    start = -room.ctypes.data // room.itemsize % LANES
+    return room[start : len(room) - LANES + start]
 
 
 @kernel

@@ -16,7 +16,8 @@ from .lanes import LANES, dot, eliminate, multiply, project
 from .parts import part
 
 HIGHEST = 9  # degree for which Disk.rows and Disk.space suffice
-MOMENTS = (2 * HIGHEST + 1) * (2 * HIGHEST + 2) // 2
+# Numbers for the moments, and for what belongs to each monomial; both multiples of LANES.
+MOMENTS, MONOMIALS = 192, 56
 
 
 @kernel
@@ -93,18 +94,18 @@ def fit_polynomial(disk, X, Y, lowest, degree):
             at += 1
         multiply(rows, at, at - s - 1, y)
         at += 1
-    moments, heights = part(disk.space, 0, (MOMENTS,)), part(disk.space, MOMENTS, (count,))
+    moments, heights = part(disk.space, 0, (MOMENTS,)), part(disk.space, MOMENTS, (MONOMIALS,))
     _sum(rows, one, 2 * lowest, 2 * degree, moments)
     if lowest == 0:
         moments[0] += 1
     for i in range(first, count):
         heights[i] = dot(rows, one + i, z)
-    work = part(disk.space, MOMENTS + count, (2 * count,))
+    work = part(disk.space, MOMENTS + MONOMIALS, (2 * MONOMIALS,))
     while degree >= 2:
         # The lowest degrees last: only they are substituted back.
         last = terms(degree) - 1
         p = last + 1 - first
-        system = part(disk.space, MOMENTS + 3 * count, (p, (p + LANES) // LANES * LANES))
+        system = part(disk.space, MOMENTS + 3 * MONOMIALS, (p, (p + LANES) // LANES * LANES))
         for i in range(p):
             for k in range(i, p):
                 system[i, k] = moments[PRODUCT[last - i, last - k]]
