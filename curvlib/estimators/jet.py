@@ -10,6 +10,7 @@ from curvlib.kit.vectors import tangents
 
 LABEL = "Jet"
 SOURCE = "https://doi.org/10.1016/j.cagd.2004.09.004"
+STYLE = {"color": "#332288", "marker": "x", "linestyle": "--"}
 
 
 @kernel

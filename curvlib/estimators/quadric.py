@@ -10,6 +10,7 @@ from curvlib.kit.vectors import tangents
 
 LABEL = "Quadric"
 SOURCE = "https://doi.org/10.1145/1778765.1778848"
+STYLE = {"color": "#332288", "marker": "+", "linestyle": "-"}
 
 
 @kernel

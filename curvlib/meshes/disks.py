@@ -6,7 +6,6 @@ from collections import namedtuple
 import numpy as np
 
 from curvlib.errors import InputError
-from curvlib.kit.batch import settled
 from curvlib.kit.compiled import compiled, kernel
 from curvlib.kit.disk import gather, space_for, star_normal
 from curvlib.kit.lanes import LANES
@@ -15,13 +14,12 @@ from curvlib.kit.tensor import Curvatures
 from curvlib.parallel import for_each
 
 from .neighbourhoods import BROKEN, CLOSED, MOST, k_rings, within
+from .values import NONE, UNDEFINED, gather_field, numbers, returns, scatter
 
 # Vertices that a thread takes at a time.
 BLOCK = 2048
 # The most components of a field.
 WIDEST = 32
-
-NONE, UNDEFINED = (False,) * 6, (np.nan,) * 10
 
 Reach = namedtuple("Reach", "vertices offsets neighbours stars unit rings radius")
 Reach.__doc__ = """What a disk is gathered from, a mesh's vertices, its Adjacency and unit; and how
@@ -91,8 +89,7 @@ class Disks:
         return out[:, : max(self._run(_field(function), out, options, None, threads), default=0)]
 
     def _run(self, loop, out, options, field, threads):
-        count = len(self._reach.vertices)
-        field, idle = np.empty((0, 0)) if field is None else field, []
+        count, idle = len(self._reach.vertices), []
 
         def work(start):
             try:
@@ -149,8 +146,9 @@ def _compiled(function):
 
 @functools.cache
 def _estimates(function, alone):
-    """The loop of an estimator over vertices. Returns which of K, H, k1, k2, d1 and d2 it returns,
-    all false where there is no disk; None where the Scratch does not suffice."""
+    """The loop of an estimator over vertices, `alone` if it takes no field. Returns which of K, H,
+    k1, k2, d1 and d2 it returns, all false where there is no disk; None where the Scratch does not
+    suffice."""
 
     function = _compiled(function)
 
@@ -162,35 +160,21 @@ def _estimates(function, alone):
                 if count < 0:
                     return None
                 disk = _disk(reach, scratch, v, count)
-                returned = function(disk, *options)
-                given, values = _given(*returned), _values(*returned)
+                if alone:
+                    returned = function(disk, *options)
+                else:
+                    beside = part(scratch.beside, 0, (field.shape[1], 1 + len(disk.weights)))
+                    gather_field(field, v, scratch.found, count, beside)
+                    returned = function(disk, beside, *options)
+                given, values = returns(*returned), numbers(*returned)
             else:
                 values = UNDEFINED
             for k in range(10):
                 scratch.values[v - start, k] = values[k]
-        _scatter(scratch.values, start, end, reach.unit, given, out)
+        scatter(scratch.values, start, end, reach.unit, given, out)
         return given
 
-    def loop_with_field(reach, start, end, scratch, field, options, out):
-        given = NONE
-        for v in range(start, end):
-            if reach.stars[v] != BROKEN:
-                count = _find(reach, scratch, v)
-                if count < 0:
-                    return None
-                disk = _disk(reach, scratch, v, count)
-                beside = part(scratch.beside, 0, (field.shape[1], 1 + len(disk.weights)))
-                _gather(field, v, scratch.found, count, beside)
-                returned = function(disk, beside, *options)
-                given, values = _given(*returned), _values(*returned)
-            else:
-                values = UNDEFINED
-            for k in range(10):
-                scratch.values[v - start, k] = values[k]
-        _scatter(scratch.values, start, end, reach.unit, given, out)
-        return given
-
-    return kernel(loop if alone else loop_with_field)
+    return kernel(loop)
 
 
 @functools.cache
@@ -217,68 +201,3 @@ def _field(function):
         return components
 
     return kernel(loop)
-
-
-@kernel
-def _gather(field, v, found, count, beside):
-    """Set `beside` (c, 1 + n) to the field at the vertex and its neighbours, padding to zero."""
-    components, width = beside.shape
-    for c in range(components):
-        beside[c, 0] = field[v, c]
-        for i in range(1 + count, width):
-            beside[c, i] = 0.0
-    for i in range(count):
-        u = np.uint64(found[i])
-        for c in range(components):
-            beside[c, 1 + i] = field[u, c]
-
-
-@kernel
-def _scatter(values, start, end, unit, given, out):
-    """Scatter the values of a block, in the unit of the mesh.
-
-    One quantity after the other: the pages of ten arrays fall into the same cache sets.
-    """
-    for v in range(start, end if given[0] else start):
-        out.K[v] = settled(values[v - start, 0], unit, 2)
-    for v in range(start, end if given[1] else start):
-        out.H[v] = settled(values[v - start, 1], unit, 1)
-    for v in range(start, end if given[2] else start):
-        out.k1[v] = settled(values[v - start, 2], unit, 1)
-    for v in range(start, end if given[3] else start):
-        out.k2[v] = settled(values[v - start, 3], unit, 1)
-    for v in range(start, end if given[4] else start):
-        for c in range(3):
-            out.d1[v, c] = settled(values[v - start, 4 + c], unit, 0)
-    for v in range(start, end if given[5] else start):
-        for c in range(3):
-            out.d2[v, c] = settled(values[v - start, 7 + c], unit, 0)
-
-
-@kernel
-def _values(K=None, H=None, k1=None, k2=None, d1=None, d2=None):
-    """Ten numbers, NaN for None."""
-    nan = (np.nan, np.nan, np.nan)
-    x = nan if d1 is None else (d1[0], d1[1], d1[2])
-    y = nan if d2 is None else (d2[0], d2[1], d2[2])
-    return (
-        np.nan if K is None else K,
-        np.nan if H is None else H,
-        np.nan if k1 is None else k1,
-        np.nan if k2 is None else k2,
-        *x,
-        *y,
-    )
-
-
-@kernel
-def _given(K=None, H=None, k1=None, k2=None, d1=None, d2=None):
-    """Which of the values are not None."""
-    return (
-        K is not None,
-        H is not None,
-        k1 is not None,
-        k2 is not None,
-        d1 is not None,
-        d2 is not None,
-    )
