@@ -101,16 +101,22 @@ class Estimates:
         return f"<Estimates of {names} at {len(self.K)} vertices>"
 
 
-def _usable(mesh, given):
-    """(V,) bool: an estimator is given the ring or the disk of the vertex."""
-    return mesh.find_adjacency().stars > 0 if given == "disk" else mesh.closed
+def _stars(mesh, given):
+    """(V,) bool: an estimator is given the ring or disk of the vertex; its triangles close to one
+    ring."""
+    if given != "disk":
+        return mesh.closed, mesh.closed
+    from .meshes.neighbourhoods import BROKEN, CLOSED
+
+    stars = mesh.find_adjacency().stars
+    return stars != BROKEN, stars == CLOSED
 
 
 def _causes(mesh, lacking, given):
     """Cause -> number of the vertices `lacking` (V,) bool a value."""
     used = np.zeros(len(lacking), dtype=bool)
     used[mesh.faces] = True
-    usable = _usable(mesh, given)
+    usable, _ = _stars(mesh, given)
     causes = {"no triangle": (lacking & ~used).sum()}
     open_ = lacking & used & ~usable
     if given == "disk":
@@ -122,24 +128,23 @@ def _causes(mesh, lacking, given):
 
 
 def warn_of_undefined(mesh, given: str) -> None:
-    """Warn if fewer than half of the vertices have a ring, or disk where that is `given`, or some
-    without one coincide."""
+    """Warn if fewer than half of the vertices have a ring, or disk where that is `given`, or if
+    some whose triangles do not close to one ring coincide."""
     if given == "mesh":
         return
-    count, usable = len(mesh.vertices), _usable(mesh, given)
-    number = np.count_nonzero(usable)
-    if number == count:
-        return
-    rest = mesh.vertices[~usable]
+    count, (usable, closed) = len(mesh.vertices), _stars(mesh, given)
+    lacking = np.count_nonzero(~usable)
+    rest = mesh.vertices[~closed]
     twice = len(rest) - len(np.unique(rest, axis=0))
-    if 2 * number >= count and not twice:
-        return
-    causes = _causes(mesh, ~usable, given)
-    message = f"{count - number} of {count} vertices have no value: "
-    message += ", ".join(f"{n} {cause}" for cause, n in causes.items() if n)
+    words = []
+    if lacking and (2 * lacking > count or twice):
+        causes = _causes(mesh, ~usable, given)
+        named = ", ".join(f"{n} {cause}" for cause, n in causes.items() if n)
+        words.append(f"{lacking} of {count} vertices have no value: {named}")
     if twice:
-        message += (
-            f"; {twice} stand where another one does: join them, e.g. by pyvista's "
+        words.append(
+            f"{twice} vertices stand where another one does: join them, e.g. by pyvista's "
             ".clean(lines_to_points=False, polys_to_lines=False, strips_to_polys=False)"
         )
-    warnings.warn(message, MeshWarning, stacklevel=3)
+    if words:
+        warnings.warn("; ".join(words), MeshWarning, stacklevel=3)

@@ -1,5 +1,4 @@
-"""Estimates on a mesh: gather one-rings in blocks that stay in cache, call the estimator, scatter
-its values."""
+"""Estimates on a mesh, by one estimator or several."""
 
 import functools
 from numbers import Integral
@@ -24,7 +23,7 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     estimator : str, path, callable, or a list of them
         A name in `curvlib.estimators()`, the path of a .py file like those in
         `curvlib/estimators`, or a function with the signature of their `estimate`. The estimators
-        of a list share the rings.
+        of a list share the rings or the adjacency.
     threads : int
         Number of threads; values do not depend on it.
     **options
@@ -34,9 +33,10 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     -------
     Estimates, or dict
         Pointwise, H = +1 on the unit sphere with outward normals. For a list, a dict from its
-        members to Estimates. NaN at boundary vertices, at vertices whose triangles do not close to
-        one ring (non-manifold or inconsistently oriented), and where the estimator has no finite
-        value; `Estimates.undefined` counts them by cause.
+        members to Estimates. NaN at vertices whose triangles do not close to one ring (on the
+        boundary, non-manifold or inconsistently oriented), and where the estimator has no finite
+        value; `Estimates.undefined` counts them by cause. An estimator of disks, as `quadric` and
+        `jet`, has values on the boundary, too.
 
     Raises
     ------

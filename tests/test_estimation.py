@@ -109,6 +109,10 @@ def test_a_soup_is_told_at_once(sphere):
     with pytest.warns(curvlib.MeshWarning, match=f"^{len(soup)} of {len(soup)} .*stand where") as w:
         curvlib.estimate((soup, faces), "taubin")
     assert w[0].filename == __file__
+    twice = len(soup) - len(np.unique(sphere.faces))
+    with pytest.warns(curvlib.MeshWarning, match=f"^{twice} vertices stand where another") as w:
+        curvlib.estimate((soup, faces), "quadric")
+    assert w[0].filename == __file__
 
 
 def test_a_seam_is_told_though_few_vertices_lie_on_it(sphere):
@@ -117,14 +121,16 @@ def test_a_seam_is_told_though_few_vertices_lie_on_it(sphere):
     vertices = np.concatenate([sphere.vertices, sphere.vertices])
     faces = np.where(upper[:, None], sphere.faces, sphere.faces + len(sphere.vertices))
     used, faces = np.unique(faces, return_inverse=True)
-    with pytest.warns(curvlib.MeshWarning, match="12 stand where another one does: join them"):
-        curvlib.estimate((vertices[used], faces.reshape(-1, 3)), "taubin")
+    for name in ("taubin", "quadric"):
+        with pytest.warns(curvlib.MeshWarning, match="12 vertices stand where another one does"):
+            curvlib.estimate((vertices[used], faces.reshape(-1, 3)), name)
 
 
 def test_an_ordinary_boundary_is_no_matter_for_a_warning():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        curvlib.estimate(curvlib.tessellate(curvlib.surface("cylinder"), 12), "taubin")
+        for name in ("taubin", "quadric"):
+            curvlib.estimate(curvlib.tessellate(curvlib.surface("cylinder"), 12), name)
 
 
 @pytest.mark.parametrize(

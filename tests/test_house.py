@@ -23,7 +23,7 @@ DOORS = {
     "meshes": {"errors", "kit", "parallel"},
     "nurbs": {"errors", "kit", "meshes"},
     "surfaces": {"catalogue", "errors", "nurbs"},
-    "estimates": {"errors", "kit"},
+    "estimates": {"errors", "kit", "meshes"},
     "signatures": {"catalogue", "errors", "kit"},
     "passes": {"catalogue", "errors", "kit", "meshes", "parallel"},
     "estimation": {"errors", "estimates", "meshes", "passes", "signatures"},
