@@ -200,7 +200,7 @@ def _folder():
     code = hashlib.sha256()
     for path in sorted(PACKAGE.rglob("*.py")):
         source = path.read_bytes()
-        if b"import compiled" in source:
+        if re.search(rb"\bcompiled import\b|\bnumba\b", source):
             code.update(source)
     try:
         base = config.CACHE_DIR or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"

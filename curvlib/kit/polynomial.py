@@ -105,8 +105,13 @@ def fit_polynomial(disk, X, Y, lowest, degree):
         # The lowest degrees last: only they are substituted back.
         last = terms(degree) - 1
         p = last + 1 - first
-        system = part(disk.space, MOMENTS + 3 * MONOMIALS, (p, (p + LANES) // LANES * LANES))
+        width = (p + LANES) // LANES * LANES
+        system = part(disk.space, MOMENTS + 3 * MONOMIALS, (p, width))
         for i in range(p):
+            # `eliminate` runs over whole vectors. What memory held may be subnormal, and is twice
+            # as slow for it.
+            for k in range(width):
+                system[i, k] = 0.0
             for k in range(i, p):
                 system[i, k] = moments[PRODUCT[last - i, last - k]]
             system[i, p] = heights[last - i]

@@ -6,7 +6,8 @@ import pytest
 import curvlib
 from curvlib.kit.compiled import compiled
 from curvlib.kit.disk import ROWS, SPACE, Disk
-from curvlib.kit.polynomial import HIGHEST, fit_polynomial, terms
+from curvlib.kit.lanes import LANES
+from curvlib.kit.polynomial import HIGHEST, MOMENTS, MONOMIALS, fit_polynomial, terms
 
 X, Y, N = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 
@@ -98,6 +99,18 @@ def test_the_degree_that_points_determine():
     # On three parallel lines x (x^2 - 1) vanishes.
     lines = np.column_stack((rng.integers(-1, 2, 60), rng.uniform(-1, 1, 60), np.zeros(60)))
     assert fit(disk_of(lines), 1, 4)[1] == 2
+
+
+@pytest.mark.parametrize("degree", range(2, HIGHEST + 1))
+def test_no_subnormal_number_is_taken_from_memory(degree):
+    """Vectors of them in the elimination doubled the time of a fit."""
+    points = points_of(np.random.default_rng(0), terms(degree) + 20, lambda x, y: x * y + x**3)
+    disk = disk_of(points)
+    disk.space[:] = 5e-324
+    assert fit(disk, 1, degree)[1] == degree
+    p = terms(degree) - 1
+    system = disk.space[MOMENTS + 3 * MONOMIALS :][: p * ((p + LANES) // LANES * LANES)]
+    assert ((system == 0) | (np.abs(system) > 1e-300)).all()
 
 
 def test_degrees_that_there_is_no_room_for():
