@@ -50,8 +50,8 @@ def estimate(
     whatever the normal. CGAL's `Monge_via_jet_fitting` makes the same fit in the frame of the
     principal axes of the neighbours.
 
-    Order: O(h^(degree - 1)) on any mesh that determines the jet (Cazals and Pouget 2005, theorem
-    3); measured one more for K and H at interior vertices if the degree is even.
+    Order: O(h^(degree - 1)) on any mesh that determines the jet (Cazals and Pouget 2005);
+    measured one more for K and H at interior vertices if the degree is even.
 
     Source: Cazals, Pouget (2005), Estimating differential quantities using polynomial fitting of
     osculating jets.

@@ -9,7 +9,7 @@ from curvlib.kit.tensor import from_graph
 from curvlib.kit.vectors import tangents
 
 LABEL = "Quadric"
-SOURCE = "https://doi.org/10.1145/1778765.1778848"
+SOURCE = "https://libigl.github.io/dox/principal__curvature_8h.html"
 STYLE = {"color": "#332288", "marker": "+", "linestyle": "-"}
 
 
@@ -38,11 +38,12 @@ def estimate(disk, rings: Literal[2, 1, 3] = 2, radius: Length = None):
     Notes
     -----
     K and H are those of the fitted graph at the vertex, exact for a quadric graph whatever the
-    normal. Libigl's `principal_curvature` makes the same fit in the frame of another normal, but
-    evaluates its form as if the tangent plane were that of the frame: the two differ by O(h^2).
+    normal. Libigl's `principal_curvature` makes the same fit, but takes principal values of a
+    matrix that it has made symmetric: the sum of its two is 2 H, its K differs by the square of the
+    graph's slope, O(h^2).
 
-    Order: O(h) on any mesh that determines the quadric (Cazals and Pouget 2005, theorem 3 for
-    degree 2); O(h^2) where neighbours lie symmetrically about the vertex.
+    Order: O(h) on any mesh that determines the quadric (Cazals and Pouget 2005, degree 2); O(h^2)
+    where neighbours lie symmetrically about the vertex.
 
     Source: Panozzo, Puppo, Rocca (2010), Efficient multi-scale curvature and crease estimation.
     """
