@@ -51,7 +51,7 @@ def estimate(
     principal axes of the neighbours.
 
     Order: O(h^(degree - 1)) on any mesh that determines the jet (Cazals and Pouget 2005);
-    measured one more for K and H at interior vertices if the degree is even.
+    one more for an even degree where neighbours lie symmetrically about the vertex.
 
     Source: Cazals, Pouget (2005), Estimating differential quantities using polynomial fitting of
     osculating jets.
