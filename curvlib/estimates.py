@@ -27,7 +27,7 @@ class Estimates:
     curvedness : ndarray of float64, (V,)
         sqrt((k1^2 + k2^2) / 2), in 1/length.
     undefined : dict
-        Cause -> number of vertices with a NaN.
+        Cause -> number of vertices, or triangles, with a NaN.
 
     Examples
     --------
@@ -41,13 +41,14 @@ class Estimates:
     >>> K, H = estimates
     """
 
-    def __init__(self, mesh, found: dict, given: str):
+    def __init__(self, mesh, found: dict, given: str, per: str = "vertex"):
         """`found`: the arrays that the estimator returned, by name; `given`: what it was given."""
-        self._mesh, self._found, self._given = mesh, found, given
+        self._mesh, self._found, self._given, self._per = mesh, found, given, per
+        count = len(mesh.vertices if per == "vertex" else mesh.faces)
         self.d1, self.d2 = found.get("d1"), found.get("d2")
         for name in ("K", "H"):
             values = found.get(name)
-            setattr(self, name, np.full(len(mesh.vertices), np.nan) if values is None else values)
+            setattr(self, name, np.full(count, np.nan) if values is None else values)
 
     @property
     def k1(self) -> np.ndarray:
@@ -78,10 +79,16 @@ class Estimates:
 
         Where it returns no value at all, every vertex lacks one.
         """
-        lacking = np.full(len(self._mesh.vertices), not self._found)
+        lacking = np.full(len(self.K), not self._found)
         for values in self._found.values():
             lacking |= np.isnan(values.reshape(len(lacking), -1)).any(1)
-        causes = _causes(self._mesh, lacking, self._given)
+        if self._per == "face":
+            a, b, c = self._mesh.vertices[self._mesh.faces].transpose(1, 0, 2)
+            flat = ~(np.cross(b - a, c - a) != 0).any(1)
+            causes = {"triangle without area": (lacking & flat).sum()}
+            causes["no finite value"] = (lacking & ~flat).sum()
+        else:
+            causes = _causes(self._mesh, lacking, self._given)
         return {cause: int(n) for cause, n in causes.items() if n}
 
     @cached_property
@@ -98,13 +105,14 @@ class Estimates:
 
     def __repr__(self):
         names = ", ".join(self._found) or "nothing"
-        return f"<Estimates of {names} at {len(self.K)} vertices>"
+        places = "vertices" if self._per == "vertex" else "triangles"
+        return f"<Estimates of {names} at {len(self.K)} {places}>"
 
 
 def _stars(mesh, given):
     """(V,) bool: an estimator is given the ring or disk of the vertex; its triangles close to one
     ring."""
-    if given != "disk":
+    if given not in ("disk", "ball"):
         return mesh.closed, mesh.closed
     from .meshes.neighbourhoods import BROKEN, CLOSED
 
@@ -119,7 +127,7 @@ def _causes(mesh, lacking, given):
     usable, _ = _stars(mesh, given)
     causes = {"no triangle": (lacking & ~used).sum()}
     open_ = lacking & used & ~usable
-    if given == "disk":
+    if given in ("disk", "ball"):
         causes["triangles that form no disk or half-disk"] = open_.sum()
     else:
         causes["boundary"] = (open_ & mesh.boundary).sum()

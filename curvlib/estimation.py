@@ -5,14 +5,14 @@ from numbers import Integral
 
 import numpy as np
 
-from .errors import InputError
+from .errors import InputError, check_name
 from .estimates import Estimates, warn_of_undefined
 from .meshes.exchange import as_mesh
 from .passes import Task, run
 from .signatures import Signature, resolved
 
 
-def estimate(mesh, estimator, threads: int = 1, **options):
+def estimate(mesh, estimator, threads: int = 1, per: str = "vertex", **options):
     """Estimate curvature at the vertices of a triangle mesh.
 
     Parameters
@@ -26,6 +26,8 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         of a list share the rings or the adjacency.
     threads : int
         Number of threads; values do not depend on it.
+    per : {"vertex", "face"}
+        Values at the vertices, or at the triangles' centres, of an estimator that names it in PER.
     **options
         Options of the estimator, its readings; of a list, each member has to know them.
 
@@ -42,7 +44,7 @@ def estimate(mesh, estimator, threads: int = 1, **options):
     ------
     InputError
         Unknown estimator or option, no triangle mesh, or an estimator that does not return
-        curvatures.
+        curvatures, or has none per face.
 
     Warns
     -----
@@ -67,14 +69,22 @@ def estimate(mesh, estimator, threads: int = 1, **options):
         raise InputError(f"threads: {threads!r} is not a number of at least 1")
     several = isinstance(estimator, (list, tuple))
     tasks = {
-        each: Task(Signature.of(*resolved(each)), options, mesh)
+        each: Task(_checked(Signature.of(*resolved(each)), per), options, mesh, per)
         for each in (estimator if several else [estimator])
     }
     run(mesh, list(tasks.values()), threads)
     for given in dict.fromkeys(task.given for task in tasks.values()):
         warn_of_undefined(mesh, given)
-    results = {each: Estimates(mesh, task.arrays, task.given) for each, task in tasks.items()}
+    results = {each: Estimates(mesh, task.arrays, task.given, per) for each, task in tasks.items()}
     return results if several else results[estimator]
+
+
+def _checked(signature, per):
+    """The signature of an estimator; InputError where it has no values per vertex or face."""
+    check_name("per", per, ("vertex", "face"))
+    if per not in signature.per:
+        raise InputError(f"per: estimator {signature.name!r} has values at vertices alone")
+    return signature
 
 
 @functools.cache

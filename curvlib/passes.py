@@ -1,4 +1,4 @@
-"""Passes over the vertices of a mesh: gather rings or disks in blocks that stay in cache, call
+"""Passes over the vertices of a mesh: gather rings, disks or balls in blocks that stay in cache, call
 estimators, scatter their values."""
 
 import threading
@@ -9,7 +9,9 @@ from .catalogue import estimators
 from .errors import InputError
 from .kit.batch import gather, scatter
 from .kit.tensor import Curvatures
-from .meshes.disks import Disks
+from .meshes.around import BALL, DISK, GEODESIC, Reach
+from .meshes.facets import facets
+from .meshes.loops import Neighbourhoods
 from .parallel import for_each
 
 # Ring slots (valence times vertices) per block: an array of a block takes 192 KiB.
@@ -20,23 +22,22 @@ POWERS = {"K": 2, "H": 1, "k1": 1, "k2": 1, "d1": 0, "d2": 0}
 
 
 class Task:
-    """An estimator with its options, and the arrays that it returned, scattered to the vertices."""
+    """An estimator with its options, and the arrays that it returned, scattered to the vertices.
 
-    def __init__(self, signature, options, mesh):
+    `per`: "vertex", or "face" where the estimator is run over the centres of triangles.
+    """
+
+    def __init__(self, signature, options, mesh, per):
         self.name, self.function = signature.name, signature.function
-        self.given, self.field = signature.given, signature.field
+        self.given, self.per = signature.given, per
         self.ours = getattr(self.function, "__module__", "").startswith(OURS)
         self.arrays, self._lock = {}, threading.Lock()
-        self._mesh, self._signature, self._chosen = mesh, signature, signature.chosen(options)
+        self.count = len(mesh.vertices if per == "vertex" else mesh.faces)
+        self.signature, self.chosen = signature, signature.chosen(options)
 
-    def arguments(self, unit=1.0) -> dict:
+    def arguments(self, mesh, unit=1.0) -> dict:
         """The options as the estimator takes them."""
-        return self._signature.arguments(self._chosen, self._mesh, unit)
-
-    def field_arguments(self, unit) -> dict:
-        """Those that its field has too, and the field's own defaults."""
-        shared = {x: self._chosen[x] for x in self.field.options if x in self._chosen}
-        return self.field.arguments(self.field.chosen(shared), self._mesh, unit)
+        return self.signature.arguments(self.chosen, mesh, unit)
 
     def store(self, returned, at, start, end, unit):
         """Scatter the values returned for the vertices at[start:end]; `unit` as in `gather`."""
@@ -56,8 +57,7 @@ class Task:
     def _target(self, name, dimensions):
         with self._lock:  # the first block to finish allocates
             if name not in self.arrays:
-                count = len(self._mesh.vertices)
-                shape = (count, 3) if dimensions == 2 else count
+                shape = (self.count, 3) if dimensions == 2 else self.count
                 self.arrays[name] = np.full(shape, np.nan)
         return self.arrays[name]
 
@@ -88,22 +88,26 @@ class Task:
 
 
 def run(mesh, tasks, threads) -> None:
-    """Call each task's estimator with all rings, disks or the mesh, and store what it returns."""
+    """Call each task's estimator with all rings, disks, balls or the mesh, and store what it
+    returns."""
     of_rings = [task for task in tasks if task.given == "ring"]
     if of_rings:
         _over_rings(mesh, of_rings, threads)
     for task in tasks:
-        if task.given == "disk":
-            _over_disks(mesh, task, threads)
+        if task.given in ("disk", "ball"):
+            graph, options = _graph(mesh, task.per, threads), task.arguments(mesh, mesh.unit)
+            field = _field(mesh, graph, task.signature, task.chosen, threads)
+            around = _around(graph, task.signature, options)
+            task.arrays = around.estimates(task.function, tuple(options.values()), field, threads)
         elif task.given == "mesh":
-            every = np.arange(len(mesh.vertices), dtype=np.int32)
+            every = np.arange(task.count, dtype=np.int32)
             with _quietly():
-                task.store(task.function(mesh, **task.arguments()), every, 0, len(every), 1.0)
+                task.store(task.function(mesh, **task.arguments(mesh)), every, 0, len(every), 1.0)
 
 
 def _over_rings(mesh, tasks, threads):
-    arguments = [task.arguments(mesh.unit) for task in tasks]
-    fields = [task.field and _field(mesh, task, threads) for task in tasks]
+    arguments = [task.arguments(mesh, mesh.unit) for task in tasks]
+    fields = [_field(mesh, None, task.signature, task.chosen, threads) for task in tasks]
 
     def work(ring, at, neighbours, start, end):
         for task, options, field in zip(tasks, arguments, fields):
@@ -133,35 +137,58 @@ def _each_ring(mesh, work, threads):
     for_each(gathered, list(_blocks(mesh.find_rings(threads))), threads)
 
 
-def _over_disks(mesh, task, threads):
-    options = task.arguments(mesh.unit)
-    field = task.field and _field(mesh, task, threads)
-    disks = _disks(mesh, options, threads)
-    task.arrays = disks.estimates(task.function, tuple(options.values()), field, threads)
+def _graph(mesh, per, threads):
+    """The Reach of a mesh's vertices, or of the centres of its triangles, but for how far."""
+    if per == "face":
+        centres, normals, areas, offsets, neighbours, stars = facets(mesh, threads)
+    else:
+        centres, areas, normals = mesh.vertices, np.empty(0), mesh.normals
+        normals = np.empty((0, 3)) if normals is None else normals
+        offsets, neighbours, stars, _ = mesh.find_adjacency(threads)
+    # Read only as the vertices of a mesh: one type, compiled once.
+    centres, normals = centres.view(), normals.view()
+    centres.flags.writeable = normals.flags.writeable = False
+    return Reach(centres, offsets, neighbours, stars, normals, areas, mesh.unit, 1, np.inf, False)
 
 
-def _disks(mesh, options, threads):
-    """The disks that options ask for: `radius`, else `rings`, else one ring."""
-    radius = options.get("radius", np.inf) / mesh.unit
-    return Disks(mesh, options.get("rings", 1), radius, threads)
+def _around(graph, signature, options):
+    """The disks or balls that options ask for: `radius`, else `rings`, else one ring."""
+    kind = BALL if signature.given == "ball" else GEODESIC if signature.geodesic else DISK
+    radius, rings = options.get("radius", np.inf) / graph.unit, options.get("rings", 1)
+    return Neighbourhoods(
+        kind, graph._replace(rings=rings, radius=radius, geodesic=signature.geodesic)
+    )
 
 
-def _field(mesh, task, threads):
-    """The field (V, c) of an estimator, NaN where it has no ring or disk."""
-    function, options = task.field.function, task.field_arguments(mesh.unit)
-    if task.field.given == "disk":
-        disks = _disks(mesh, options, threads)
-        return disks.field(function, tuple(options.values()), threads)
+def _field(mesh, graph, signature, chosen, threads):
+    """The field (V, c) of a signature, None if it takes none; NaN where there is no ring or disk.
+
+    It gets those of the chosen options that it has, and its own defaults for others.
+    """
+    beside = signature.field
+    if beside is None:
+        return None
+    shared = beside.chosen({x: chosen[x] for x in beside.options if x in chosen})
+    options = beside.arguments(shared, mesh, mesh.unit)
+    field = _field(mesh, graph, beside, shared, threads)
+    if beside.given in ("disk", "ball"):
+        graph = _graph(mesh, "vertex", threads) if graph is None else graph
+        around = _around(graph, beside, options)
+        return around.field(beside.function, tuple(options.values()), field, threads)
     found = []
 
     def work(ring, at, neighbours, start, end):
-        found.append((at[start:end], np.stack(function(ring, **options))))
+        given = [ring]
+        if field is not None:
+            index = np.vstack((at[start:end], neighbours[:, start:end]))
+            given.append(np.ascontiguousarray(field.T[:, index]))
+        found.append((at[start:end], np.stack(beside.function(*given, **options))))
 
     _each_ring(mesh, work, threads)
-    field = np.full((len(mesh.vertices), max((len(x) for _, x in found), default=0)), np.nan)
-    for vertices, values in found:
-        field[vertices] = values.T
-    return field
+    values = np.full((len(mesh.vertices), max((len(x) for _, x in found), default=0)), np.nan)
+    for vertices, x in found:
+        values[vertices] = x.T
+    return values
 
 
 def _blocks(rings):

@@ -7,12 +7,12 @@ from typing import get_args
 
 from .catalogue import estimators
 from .errors import InputError, check_name
-from .kit.options import Length, Lengths, Option
+from .kit.options import Geodesic, Length, Lengths, Option
 
 # Valid names of an estimator's first parameter, which say what it is given.
-GIVEN = ("ring", "disk", "mesh")
+GIVEN = ("ring", "disk", "ball", "mesh")
 # Parameters of `curvlib.estimate` itself: no option can have such a name.
-RESERVED = ("mesh", "estimator", "threads")
+RESERVED = ("mesh", "estimator", "threads", "per")
 
 
 def readings(estimator) -> dict[str, tuple]:
@@ -41,7 +41,12 @@ class Signature:
     given : str
         The name of its first parameter, one of GIVEN.
     field : Signature or None
-        Of the function `field` beside one whose second parameter is called so.
+        Of the function beside it that has the name of its second parameter, where that has no
+        default.
+    geodesic : bool
+        Whether an option of it is a Geodesic.
+    per : tuple
+        "vertex", and "face" where it can be run over the centres of triangles: PER in its file.
     options : dict
         Name -> valid values, the default first.
     """
@@ -54,6 +59,7 @@ class Signature:
 
     def __init__(self, name, function):
         self.name, self.function, self.field = name, function, None
+        self.per = _globals(function).get("PER", ("vertex",))
         try:
             parameters = list(inspect.signature(function).parameters.values())
         except ValueError as error:  # of a builtin
@@ -64,19 +70,23 @@ class Signature:
             first.POSITIONAL_OR_KEYWORD,
         ):
             raise InputError(
-                f"estimator {name!r}: its first parameter has to be ring, disk or mesh"
+                f"estimator {name!r}: its first parameter has to be ring, disk, ball or mesh"
             )
         check_name("first parameter", first.name, GIVEN, f"estimator {name!r}")
         self.given, rest = first.name, parameters[1:]
-        if rest and rest[0].name == "field" and rest[0].default is first.empty:
-            self.field, rest = self._field(), rest[1:]
+        if rest and rest[0].default is first.empty and rest[0].kind == first.kind:
+            self.field, rest = self._beside(rest[0].name), rest[1:]
+        self.geodesic = any(p.annotation is Geodesic for p in rest)
         self.options = {p.name: self._values(p) for p in rest}
 
-    def _field(self):
-        beside = getattr(self.function, "py_func", self.function).__globals__.get("field")
-        if not callable(beside):
-            raise InputError(f"estimator {self.name!r}: there is no function `field` beside it")
-        return Signature.of(f"field of {self.name}", beside)
+    def _beside(self, name):
+        beside = _globals(self.function).get(name)
+        if not callable(beside) or beside is self.function:
+            raise InputError(
+                f"estimator {self.name!r}: option {name!r} has no default, and there is no "
+                "function of this name beside it, to be run over all vertices first"
+            )
+        return Signature.of(f"{name} of {self.name}", beside)
 
     def _values(self, p):
         if p.kind != p.POSITIONAL_OR_KEYWORD or p.default is p.empty:
@@ -85,7 +95,7 @@ class Signature:
             raise InputError(
                 f"estimator {self.name!r}: no option can be called {p.name!r}; rename it"
             )
-        if p.annotation is Length:
+        if p.annotation in (Length, Geodesic):
             return Lengths((p.default,))
         return p.default, *(v for v in get_args(p.annotation) if v != p.default)
 
@@ -120,3 +130,8 @@ class Signature:
             else value
             for option, value in chosen.items()
         }
+
+
+def _globals(function):
+    """The names of the file of a function, also of one that was compiled; none of a builtin's."""
+    return getattr(getattr(function, "py_func", function), "__globals__", {})

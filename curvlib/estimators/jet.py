@@ -56,6 +56,7 @@ def estimate(
     Source: Cazals, Pouget (2005), Estimating differential quantities using polynomial fitting of
     osculating jets.
     """
-    X, Y = tangents(disk.normal)
-    derivatives, _ = fit_polynomial(disk, X, Y, 0, degree)
-    return from_graph(*derivatives, X, Y, disk.normal)[0]
+    N = disk.normal
+    X, Y = tangents(N)
+    derivatives, _ = fit_polynomial(disk, X, Y, N, 0, degree)
+    return from_graph(*derivatives, X, Y, N)[0]

@@ -47,6 +47,7 @@ def estimate(disk, rings: Literal[2, 1, 3] = 2, radius: Length = None):
 
     Source: Panozzo, Puppo, Rocca (2010), Efficient multi-scale curvature and crease estimation.
     """
-    X, Y = tangents(disk.normal)
-    derivatives, _ = fit_polynomial(disk, X, Y, 1, 2)
-    return from_graph(*derivatives, X, Y, disk.normal)[0]
+    N = disk.normal
+    X, Y = tangents(N)
+    derivatives, _ = fit_polynomial(disk, X, Y, N, 1, 2)
+    return from_graph(*derivatives, X, Y, N)[0]

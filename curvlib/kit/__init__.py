@@ -10,6 +10,8 @@ curvlib, and names and meaning here do not change between minor versions.
 `frame`     their normal N_v, coordinates in the tangent plane and normal curvatures kn_i
 `fit`       batches of small least-squares problems
 `disk`      a vertex and its neighbours over some rings, or within a length
+`ball`      the triangles within a length of a vertex, cut where they leave it
+`cut`       segments and triangles within a ball
 `polynomial` a polynomial fitted to a disk, by normal equations
 `lanes`     rows of a matrix as vectors: dot products, projections, elimination
 `parts`     parts of an array as arrays of another shape

@@ -16,7 +16,10 @@ from .vectors import add, cross, divide, dot
 
 ROWS, SPACE = 64, 4096
 
-Disk = namedtuple("Disk", "e weights hops normal radius count rows space")
+Disk = namedtuple(
+    "Disk",
+    "e weights hops distances normal exact_normal area radius count rows space",
+)
 Disk.__doc__ = """The neighbours of a vertex v.
 
 Attributes
@@ -28,9 +31,16 @@ weights : (n,)
     1 for a neighbour, 0 for padding.
 hops : (n,) uint8
     Distance from v in edges, at most 255; 0 for padding.
+distances : (n,) or (0,)
+    Where a radius is `Geodesic`, the length of the shortest path along edges; 0 for padding.
+    Neighbours then come from the nearest on, and `hops` is the number of edges of that path.
 normal : tuple of 3 floats
     Unit mean of the normals of the triangles at v, weighted by area; NaN where they cancel, as
     `star_normal` says.
+exact_normal : tuple of 3 floats
+    The unit normal that the mesh has at the vertex; NaN where it has none.
+area : float
+    A third of the area of the triangles at v.
 radius : float
     The largest |v_i - v|.
 count : int
@@ -55,7 +65,7 @@ def space_for(count):
 
 
 @kernel
-def gather(vertices, v, found, hops, count, normal, unit, space):
+def gather(vertices, v, found, hops, distances, count, star, unit, space):
     """Gather the Disk of a vertex.
 
     Parameters
@@ -68,10 +78,12 @@ def gather(vertices, v, found, hops, count, normal, unit, space):
         Its neighbours.
     hops : (count + LANES - 1 or more,) uint8
         Their distances in edges; on return padded.
+    distances : (count + LANES - 1 or more,) or (0,)
+        Those along edges, in the unit of the mesh; on return in that of the Disk, and padded.
     count : int
         Their number.
-    normal : tuple of 3 floats
-        From `star_normal`.
+    star : tuple
+        `normal`, `exact_normal` and `area` of the Disk.
     unit : float
         `Mesh.unit`: lengths of the Disk are multiplied by it.
     space : (ROWS n + SPACE or more,)
@@ -98,12 +110,16 @@ def gather(vertices, v, found, hops, count, normal, unit, space):
     for i in range(count):
         square = e[0, i] * e[0, i] + e[1, i] * e[1, i] + e[2, i] * e[2, i]
         farthest = square if square > farthest else farthest
-    return Disk(e, weights, part(hops, 0, (n,)), normal, np.sqrt(farthest), count, rows, rest)
+    for i in range(min(n, len(distances))):
+        distances[i] = distances[i] * unit if i < count else 0.0
+    lengths = part(distances, 0, (min(n, len(distances)),))
+    radius = np.sqrt(farthest)
+    return Disk(e, weights, part(hops, 0, (n,)), lengths, *star, radius, count, rows, rest)
 
 
 @kernel
-def star_normal(vertices, v, neighbours, first, last, closed, unit):
-    """The mean of the normals of the triangles at a vertex, weighted by area.
+def star(vertices, v, neighbours, first, last, closed, unit):
+    """The mean normal and the area of the triangles at a vertex.
 
     Parameters
     ----------
@@ -120,12 +136,16 @@ def star_normal(vertices, v, neighbours, first, last, closed, unit):
 
     Returns
     -------
-    tuple of 3 floats
-        Unit; NaN where the normals cancel: the square of their sum is at most SHEET^2 times their
-        number times the sum of their squares, which is not less than that of their lengths squared.
+    normal : tuple of 3 floats
+        The mean of their normals, weighted by area, unit; NaN where the normals cancel: the square
+        of their sum is at most SHEET^2 times their number times the sum of their squares, which is
+        not less than that of their lengths squared.
+    area : float
+        A third of the area of the triangles.
     """
     x, y, z = vertices[v, 0], vertices[v, 1], vertices[v, 2]
     total, squares, before, start = (0.0, 0.0, 0.0), 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    area = 0.0
     for i in range(first, last):
         u = np.uint64(neighbours[i])
         e = (vertices[u, 0] - x) * unit, (vertices[u, 1] - y) * unit, (vertices[u, 2] - z) * unit
@@ -134,10 +154,12 @@ def star_normal(vertices, v, neighbours, first, last, closed, unit):
         else:
             facet = cross(before, e)
             total, squares = add(total, 1.0, facet), squares + dot(facet, facet)
+            area += np.sqrt(dot(facet, facet))
         before = e
     if closed:
         facet = cross(before, start)
         total, squares = add(total, 1.0, facet), squares + dot(facet, facet)
+        area += np.sqrt(dot(facet, facet))
     square = dot(total, total)
     proper = square > SHEET**2 * (last - first) * squares
-    return divide(total, np.sqrt(square) if proper else np.nan)
+    return divide(total, np.sqrt(square) if proper else np.nan), area / 6

@@ -40,6 +40,10 @@ class Length:
     """
 
 
+class Geodesic(Length):
+    """Annotation of a Length that is measured along the edges of the mesh."""
+
+
 class Lengths(tuple):
     """The default of an option that is a Length; every such value is in it."""
 

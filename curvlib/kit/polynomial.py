@@ -47,15 +47,15 @@ PRODUCT = _products()
 
 
 @kernel
-def fit_polynomial(disk, X, Y, lowest, degree):
-    """Fit z = f(x, y) with x = e . X, y = e . Y, z = e . normal to the neighbours e of a Disk, by
+def fit_polynomial(disk, X, Y, N, lowest, degree):
+    """Fit z = f(x, y) with x = e . X, y = e . Y, z = e . N to the neighbours e of a Disk, by
     least squares of the residuals times `disk.weights`.
 
     Parameters
     ----------
     disk : Disk
-    X, Y : tuple of 3 floats
-        With `disk.normal` a right-handed orthonormal frame.
+    X, Y, N : tuple of 3 floats
+        A right-handed orthonormal frame.
     lowest : int
         Lowest degree of a monomial: 0, and the vertex itself is a point of weight 1; or 1, and f
         passes through it.
@@ -85,7 +85,7 @@ def fit_polynomial(disk, X, Y, lowest, degree):
     inverse = 1 / disk.radius
     project(rows, x, 0, _scaled(X, inverse))
     project(rows, y, 0, _scaled(Y, inverse))
-    project(rows, z, 0, _scaled(disk.normal, inverse))
+    project(rows, z, 0, _scaled(N, inverse))
     multiply(rows, z, z, one)
     at = one + 1
     for s in range(1, degree + 1):

@@ -5,14 +5,22 @@ import numpy as np
 
 from curvlib.kit.batch import settled
 from curvlib.kit.compiled import kernel
+from curvlib.kit.lanes import LANES
 
 # Which of the six Curvatures are returned, and their ten numbers, where there is no disk.
 NONE, UNDEFINED = (False,) * 6, (np.nan,) * 10
 
 
 @kernel
+def padded(count):
+    """One and the next multiple of LANES."""
+    return 1 + (count + LANES - 1) // LANES * LANES
+
+
+@kernel
 def gather_field(field, v, found, count, beside):
-    """Set `beside` (c, 1 + n) to the field at the vertex and its neighbours, padding to zero."""
+    """Set `beside` (c, padded(count)) to the field at the vertex and at `count` others, the padding
+    to zero."""
     components, width = beside.shape
     for c in range(components):
         beside[c, 0] = field[v, c]

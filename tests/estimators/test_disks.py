@@ -18,9 +18,9 @@ def test_any_number_of_threads_gives_the_same_bytes(monkeypatch, options):
     mesh = curvlib.tessellate(curvlib.surface("revolution"), 16, "random", seed=7)
     for name in ("quadric", "jet", smoothed):
         chosen = options if name is not smoothed else {}
-        monkeypatch.setattr("curvlib.meshes.disks.BLOCK", 2048)
+        monkeypatch.setattr("curvlib.meshes.loops.BLOCK", 2048)
         alone = curvlib.estimate(mesh, name, **chosen)
-        monkeypatch.setattr("curvlib.meshes.disks.BLOCK", 7)
+        monkeypatch.setattr("curvlib.meshes.loops.BLOCK", 7)
         for threads in (1, 2, 5):
             again = curvlib.estimate(mesh, [name, "taubin"][:1], threads=threads, **chosen)[name]
             for quantity in ("K", "H", "k1", "d1"):
@@ -110,7 +110,7 @@ def test_a_field_of_rings(tmp_path):
 def test_no_field():
     source = {"__builtins__": __builtins__}
     exec("def estimate(disk, field):\n    return 0.0, 0.0", source)
-    with pytest.raises(curvlib.InputError, match="there is no function `field` beside it"):
+    with pytest.raises(curvlib.InputError, match="no function of this name beside it"):
         curvlib.estimate(torus(8, "regular"), source["estimate"])
 
 
@@ -126,12 +126,13 @@ def test_what_a_disk_does_not_return_is_nan():
 KEPT = """
 import curvlib, sys
 from curvlib.meshes.torus import torus
-from curvlib.meshes.disks import _estimates
+from curvlib.meshes.around import DISK
+from curvlib.meshes.loops import _estimates
 
 name = sys.argv[1]
 print(curvlib.estimate(torus(8, "regular"), name).H[0])
 function = curvlib.signatures.resolved(name)[1]
-print(sum(_estimates(function, True).stats.cache_hits.values()))
+print(sum(_estimates(function, True, *DISK).stats.cache_hits.values()))
 """
 
 MINE = """

@@ -9,7 +9,6 @@ from scipy.spatial import Delaunay
 
 import curvlib
 from curvlib.kit.compiled import compiled
-from curvlib.kit.disk import Disk
 from curvlib.kit.polynomial import fit_polynomial
 from curvlib.kit.tensor import from_graph
 from curvlib.kit.vectors import dot, tangents
@@ -34,10 +33,8 @@ def in_principal_axes(disk, degree: Literal[2, 4] = 2, rings: Literal[2, 3] = 2)
     N = (axes[0, 0], axes[1, 0], axes[2, 0])
     if dot(N, disk.normal) < 0:
         N = (-N[0], -N[1], -N[2])
-    e, weights, hops, _, radius, count, rows, space = disk
     X, Y = tangents(N)
-    turned = Disk(e, weights, hops, N, radius, count, rows, space)
-    return from_graph(*fit_polynomial(turned, X, Y, 0, degree)[0], X, Y, N)[0]
+    return from_graph(*fit_polynomial(disk, X, Y, N, 0, degree)[0], X, Y, N)[0]
 
 
 @pytest.mark.parametrize("name", ["torus", "patch"])
@@ -178,10 +175,8 @@ def upright(name):
     lowest = 1 if name == "quadric" else 0
 
     def along_z(disk, degree: Literal[2, 3] = 2, rings: Literal[2, 3] = 2):
-        e, weights, hops, _, radius, count, rows, space = disk
         X, Y, N = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
-        turned = Disk(e, weights, hops, N, radius, count, rows, space)
-        return from_graph(*fit_polynomial(turned, X, Y, lowest, degree)[0], X, Y, N)[0]
+        return from_graph(*fit_polynomial(disk, X, Y, N, lowest, degree)[0], X, Y, N)[0]
 
     return along_z
 

@@ -14,7 +14,7 @@ X, Y, N = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 
 @compiled
 def fit(disk, lowest, degree):
-    return fit_polynomial(disk, X, Y, lowest, degree)
+    return fit_polynomial(disk, X, Y, N, lowest, degree)
 
 
 def disk_of(points, weights=None):
@@ -26,7 +26,9 @@ def disk_of(points, weights=None):
     rows[:3, :count] = points.T
     rows[3, :count] = 1 if weights is None else weights
     radius = float(np.linalg.norm(points, axis=1).max(initial=0))
-    return Disk(rows[:3], rows[3], np.ones(n, np.uint8), N, radius, count, rows, space)
+    none = np.empty(0)
+    hops = np.ones(n, np.uint8)
+    return Disk(rows[:3], rows[3], hops, none, N, N, 0.0, radius, count, rows, space)
 
 
 def points_of(rng, count, z):

@@ -1,0 +1,159 @@
+"""Functions of disks and balls, run over the vertices of a mesh in compiled loops."""
+
+import functools
+
+import numpy as np
+
+from curvlib.errors import InputError
+from curvlib.kit.compiled import compiled, kernel
+from curvlib.kit.parts import part
+from curvlib.kit.tensor import Curvatures
+from curvlib.parallel import for_each
+
+from .around import WIDEST, scratch
+from .neighbourhoods import BROKEN, MOST
+from .values import NONE, UNDEFINED, gather_field, numbers, padded, returns, scatter
+
+# Vertices that a thread takes at a time.
+BLOCK = 2048
+
+
+class Neighbourhoods:
+    """The disks or balls of a mesh, or of the centres of its triangles.
+
+    Parameters
+    ----------
+    kind : tuple
+        DISK, GEODESIC or BALL of `curvlib.meshes.around`.
+    reach : Reach
+    """
+
+    def __init__(self, kind, reach):
+        self._kind, self._reach = kind, reach
+        self._length = MOST + int(np.diff(reach.offsets).max(initial=0)) + 1
+
+    def estimates(self, function, options, field, threads) -> dict:
+        """The values of an estimator at all vertices, in the unit of the mesh.
+
+        Parameters
+        ----------
+        function : callable
+            `function(disk, *options)`; or `function(disk, field, *options)`; with a ball likewise.
+        options : tuple
+        field : (V, c) or None
+            Gathered to (c, 1 + n): first at the vertex, then at its neighbours.
+        threads : int
+
+        Returns
+        -------
+        dict
+            Name -> (V,) or (V, 3), NaN where there is no disk, of what the function returns; empty
+            where there is no disk at all.
+        """
+        count = len(self._reach.vertices)
+        # Memory of those that the function does not return is never touched.
+        out = Curvatures(*(np.empty(count) for _ in range(4)), *np.empty((2, count, 3)))
+        given = self._run(
+            _estimates(function, field is None, *self._kind), out, options, field, threads
+        )
+        returned = np.any([NONE, *given], axis=0)
+        if returned[2] != returned[3]:
+            raise InputError("an estimator has to return K and H, or curvlib.kit.tensor.Curvatures")
+        found = {name: x for name, x, there in zip(out._fields, out, returned) if there}
+        for block in np.flatnonzero(~np.any(given, axis=1)) if found else ():
+            for x in found.values():
+                x[block * BLOCK : (block + 1) * BLOCK] = np.nan
+        return found
+
+    def field(self, function, options, field, threads):
+        """The components (V, c) that a function returns at all vertices, NaN where there is no
+        disk; (V, 0) where there is none at all. Parameters as those of `estimates`."""
+        out = np.full((len(self._reach.vertices), WIDEST), np.nan)
+        loop = _field(function, field is None, *self._kind)
+        return out[:, : max(self._run(loop, out, options, field, threads), default=0)]
+
+    def _run(self, loop, out, options, field, threads):
+        count, idle = len(self._reach.vertices), []
+
+        def work(start):
+            try:
+                memory = idle.pop()
+            except IndexError:
+                memory = scratch(self._reach, self._length, BLOCK)
+            end, returned = min(start + BLOCK, count), None
+            while returned is None:
+                returned = loop(self._reach, start, end, memory, field, options, out)
+                if returned is None:
+                    self._length = 2 * len(memory.found)
+                    memory = scratch(self._reach, self._length, BLOCK)
+            idle.append(memory)
+            return returned
+
+        return for_each(work, range(0, count, BLOCK), threads)
+
+
+def _compiled(function):
+    """A function of a disk, compiled in any case: one vertex takes less than a call from Python."""
+    return function if hasattr(function, "py_func") else compiled(function)
+
+
+@functools.cache
+def _estimates(function, alone, find, make):
+    """The loop of an estimator over vertices, `alone` if it takes no field. Returns which of K, H,
+    k1, k2, d1 and d2 it returns, all false where there is no disk; None where the memory does not
+    suffice."""
+    function = _compiled(function)
+
+    def loop(reach, start, end, memory, field, options, out):
+        given = NONE
+        for v in range(start, end):
+            if reach.stars[v] != BROKEN:
+                count = find(reach, memory, v)
+                if count < 0:
+                    return None
+                around = make(reach, memory, v, count)
+                if alone:
+                    returned = function(around, *options)
+                else:
+                    beside = part(memory.beside, 0, (field.shape[1], padded(count)))
+                    gather_field(field, v, memory.found, count, beside)
+                    returned = function(around, beside, *options)
+                given, values = returns(*returned), numbers(*returned)
+            else:
+                values = UNDEFINED
+            for k in range(10):
+                memory.values[v - start, k] = values[k]
+        scatter(memory.values, start, end, reach.unit, given, out)
+        return given
+
+    return kernel(loop)
+
+
+@functools.cache
+def _field(function, alone, find, make):
+    """The loop of a field over vertices, as `_estimates`. Returns the number of components, 0 where
+    there is no disk; None where the memory does not suffice."""
+    function = _compiled(function)
+
+    def loop(reach, start, end, memory, field, options, out):
+        components = 0
+        for v in range(start, end):
+            if reach.stars[v] != BROKEN:
+                count = find(reach, memory, v)
+                if count < 0:
+                    return None
+                around = make(reach, memory, v, count)
+                if alone:
+                    returned = function(around, *options)
+                else:
+                    beside = part(memory.beside, 0, (field.shape[1], padded(count)))
+                    gather_field(field, v, memory.found, count, beside)
+                    returned = function(around, beside, *options)
+                components = len(returned)
+                if components > WIDEST:
+                    raise InputError("a field has more than 32 components")
+                for k in range(components):
+                    out[v, k] = returned[k]
+        return components
+
+    return kernel(loop)
