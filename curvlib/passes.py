@@ -1,5 +1,5 @@
-"""Passes over the vertices of a mesh: gather rings, disks or balls in blocks that stay in cache, call
-estimators, scatter their values."""
+"""Passes over the vertices of a mesh: gather rings, disks or balls in blocks that stay in cache,
+call estimators, scatter their values."""
 
 import threading
 

@@ -8,7 +8,7 @@ curves are drawn), and
         return K, H
 
 The name of the first parameter says what it is given: `ring`, a batch of m closed one-rings of
-one valence (curvlib.kit.ring); `disk`, one vertex and its neighbours (curvlib.kit.disk); `ball`, one
+one valence (curvlib.kit.ring); `disk`, one vertex and its neighbours (curvlib.kit.disk); `ball`, a
 vertex and the triangles around it (curvlib.kit.ball); `mesh`, the whole curvlib.Mesh. The keyword
 options are its readings, their Literal the valid values; those called `rings` and `radius` say how
 far a disk or ball reaches. It returns K and H, or the six fields of
