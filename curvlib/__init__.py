@@ -26,10 +26,13 @@ _PUBLIC = {
     "Mesh": "meshes.mesh",
     "MeshWarning": "errors",
     "Surface": "nurbs.surface",
+    "check": "meshes.check",
     "estimate": "estimation",
     "load_library": "dataset.library",
+    "orient": "meshes.mend",
     "surface": "surfaces._named",
     "tessellate": "nurbs.tessellation",
+    "weld": "meshes.mend",
 }
 
 __all__ = ["estimators", "surfaces", *_PUBLIC]

@@ -41,9 +41,13 @@ class Estimates:
     >>> K, H = estimates
     """
 
-    def __init__(self, mesh, found: dict, given: str, per: str = "vertex"):
-        """`found`: the arrays that the estimator returned, by name; `given`: what it was given."""
-        self._mesh, self._found, self._given, self._per = mesh, found, given, per
+    def __init__(self, mesh, found: dict, given: str, per: str = "vertex", index=None):
+        """`found`: the arrays that the estimator returned, by name; `given`: what it was given;
+        `index`: as `curvlib.weld` returns it, where `mesh` has been welded."""
+        self._mesh, self._given, self._per, self._index = mesh, given, per, index
+        if index is not None and per == "vertex":
+            found = {name: values[index] for name, values in found.items()}
+        self._found = found
         count = len(mesh.vertices if per == "vertex" else mesh.faces)
         self.d1, self.d2 = found.get("d1"), found.get("d2")
         for name in ("K", "H"):
@@ -88,7 +92,7 @@ class Estimates:
             causes = {"triangle without area": (lacking & flat).sum()}
             causes["no finite value"] = (lacking & ~flat).sum()
         else:
-            causes = _causes(self._mesh, lacking, self._given)
+            causes = _causes(self._mesh, lacking, self._given, self._index)
         return {cause: int(n) for cause, n in causes.items() if n}
 
     @cached_property
@@ -120,39 +124,65 @@ def _stars(mesh, given):
     return stars != BROKEN, stars == CLOSED
 
 
-def _causes(mesh, lacking, given):
-    """Cause -> number of the vertices `lacking` (V,) bool a value."""
+def _causes(mesh, lacking, given, index=None):
+    """Cause -> number of the vertices `lacking` (V,) bool a value; `index` as in Estimates."""
     used = np.zeros(len(lacking), dtype=bool)
     used[mesh.faces] = True
-    usable, _ = _stars(mesh, given)
+    usable, boundary = _stars(mesh, given)[0], mesh.boundary
+    if index is not None:
+        used, usable, boundary = used[index], usable[index], boundary[index]
     causes = {"no triangle": (lacking & ~used).sum()}
     open_ = lacking & used & ~usable
     if given in ("disk", "ball"):
         causes["triangles that form no disk or half-disk"] = open_.sum()
     else:
-        causes["boundary"] = (open_ & mesh.boundary).sum()
-        causes["triangles that do not close to one ring"] = (open_ & ~mesh.boundary).sum()
+        causes["boundary"] = (open_ & boundary).sum()
+        causes["triangles that do not close to one ring"] = (open_ & ~boundary).sum()
     return causes | {"no finite value": (lacking & usable).sum()}
 
 
-def warn_of_undefined(mesh, given: str) -> None:
+def joined(mesh, given):
+    """The mesh with points joined that stand at one place, and their index as `curvlib.weld`
+    returns it, None where there are none; warns where there are some.
+
+    `given`: what the estimator is given.
+    """
+    loose = mesh.vertices[~_stars(mesh, given)[1]]
+    if len(np.unique(loose, axis=0)) == len(loose):
+        return mesh, None
+    from .meshes.mend import weld
+
+    welded, index = weld(mesh)
+    count = np.count_nonzero(index != np.arange(len(index)))
+    if not count:
+        return mesh, None
+    _warn(f"{count} of {len(index)} vertices stand where another one does: joined to it")
+    return welded, index
+
+
+def warn_of_undefined(mesh, given: str, index=None) -> None:
     """Warn if fewer than half of the vertices have a ring, or disk where that is `given`, or if
-    some whose triangles do not close to one ring coincide."""
+    some whose triangles do not close to one ring coincide; `index` as in Estimates."""
     if given == "mesh":
         return
-    count, (usable, closed) = len(mesh.vertices), _stars(mesh, given)
+    usable, closed = _stars(mesh, given)
+    if index is not None:
+        usable, closed = usable[index], np.full(len(closed), True)
     lacking = np.count_nonzero(~usable)
     rest = mesh.vertices[~closed]
     twice = len(rest) - len(np.unique(rest, axis=0))
     words = []
-    if lacking and (2 * lacking > count or twice):
-        causes = _causes(mesh, ~usable, given)
+    if lacking and (2 * lacking > len(usable) or twice):
+        causes = _causes(mesh, ~usable, given, index)
         named = ", ".join(f"{n} {cause}" for cause, n in causes.items() if n)
-        words.append(f"{lacking} of {count} vertices have no value: {named}")
+        words.append(f"{lacking} of {len(usable)} vertices have no value: {named}")
     if twice:
         words.append(
-            f"{twice} vertices stand where another one does: join them, e.g. by pyvista's "
-            ".clean(lines_to_points=False, polys_to_lines=False, strips_to_polys=False)"
+            f"{twice} vertices stand where another one does: `curvlib.weld(mesh)` joins them"
         )
     if words:
-        warnings.warn("; ".join(words), MeshWarning, stacklevel=3)
+        _warn("; ".join(words))
+
+
+def _warn(words):
+    warnings.warn(words, MeshWarning, stacklevel=4)

@@ -6,7 +6,7 @@ from numbers import Integral
 import numpy as np
 
 from .errors import InputError, check_name
-from .estimates import Estimates, warn_of_undefined
+from .estimates import Estimates, joined, warn_of_undefined
 from .meshes.exchange import as_mesh
 from .passes import Task, run
 from .signatures import Signature, resolved
@@ -19,7 +19,9 @@ def estimate(mesh, estimator, threads: int = 1, per: str = "vertex", **options):
     ----------
     mesh : Mesh, (vertices, faces), or a mesh of another library
         Arrays (V, 3) and (F, 3), a mesh of trimesh or meshio, or an object that pyvista wraps into
-        a triangle mesh. Its point normals are the exact normals of `normal="exact"`.
+        a triangle mesh. Its point normals are the exact normals of `normal="exact"`. Points of
+        anything but a Mesh that stand at one place, as readers leave them that split corners, are
+        joined for the estimate as `curvlib.weld` does; values are at all of them.
     estimator : str, path, callable, or a list of them
         A name in `curvlib.estimators()`, the path of a .py file like those in
         `curvlib/estimators`, or a function with the signature of their `estimate`. The estimators
@@ -64,7 +66,7 @@ def estimate(mesh, estimator, threads: int = 1, per: str = "vertex", **options):
     """
 
     _keep_pages()
-    mesh = as_mesh(mesh)
+    as_given, mesh, index = mesh, as_mesh(mesh), None
     if not isinstance(threads, Integral) or threads < 1:
         raise InputError(f"threads: {threads!r} is not a number of at least 1")
     several = isinstance(estimator, (list, tuple))
@@ -72,10 +74,15 @@ def estimate(mesh, estimator, threads: int = 1, per: str = "vertex", **options):
         each: Task(_checked(Signature.of(*resolved(each)), per), options, mesh, per)
         for each in (estimator if several else [estimator])
     }
+    kinds = dict.fromkeys(task.given for task in tasks.values())
+    if mesh is not as_given:
+        mesh, index = joined(mesh, next(iter(kinds), "ring"))
     run(mesh, list(tasks.values()), threads)
-    for given in dict.fromkeys(task.given for task in tasks.values()):
-        warn_of_undefined(mesh, given)
-    results = {each: Estimates(mesh, task.arrays, task.given, per) for each, task in tasks.items()}
+    for given in kinds:
+        warn_of_undefined(mesh, given, index)
+    results = {
+        each: Estimates(mesh, task.arrays, task.given, per, index) for each, task in tasks.items()
+    }
     return results if several else results[estimator]
 
 

@@ -103,16 +103,39 @@ def test_where_no_vertex_has_a_value_all_are_undefined(sphere):
     assert none.undefined == {"no finite value": len(sphere.vertices)}
 
 
-def test_a_soup_is_told_at_once(sphere):
+def test_points_of_a_soup_are_joined_and_that_is_said(sphere):
+    """Values at all corners, those of the whole mesh; by cause where there is none."""
+    points = np.vstack((sphere.vertices, [[5, 5, 5], [6, 5, 5], [5, 6, 5]]))
+    whole = np.vstack((sphere.faces, [len(points) - k for k in (3, 2, 1)]))
+    soup = points[whole].reshape(-1, 3), np.arange(whole.size).reshape(-1, 3)
+    twice = sphere.faces.size - len(np.unique(sphere.faces))
+    for name in ("gauss_bonnet", "quadric"):
+        expected = curvlib.estimate((points, whole), name)
+        joined = f"^{twice} of {whole.size} vertices stand where another one does: joined"
+        with pytest.warns(curvlib.MeshWarning, match=joined) as w:
+            found = curvlib.estimate(soup, name)
+        assert w[0].filename == __file__
+        np.testing.assert_allclose(found.K, expected.K[whole.reshape(-1)], rtol=1e-12)
+        cause = "boundary" if name == "gauss_bonnet" else "no finite value"
+        assert expected.undefined == found.undefined == {cause: 3}
+    with pytest.warns(curvlib.MeshWarning, match="joined to it"):
+        both = curvlib.estimate(soup, ["taubin", "quadric"])
+    assert both["quadric"].d1.shape == (whole.size, 3)
+
+
+def test_a_Mesh_is_taken_as_it_is(sphere):
     soup = sphere.vertices[sphere.faces].reshape(-1, 3)
-    faces = np.arange(len(soup)).reshape(-1, 3)
-    with pytest.warns(curvlib.MeshWarning, match=f"^{len(soup)} of {len(soup)} .*stand where") as w:
-        curvlib.estimate((soup, faces), "taubin")
+    mesh = curvlib.Mesh(soup, np.arange(len(soup)).reshape(-1, 3))
+    told = rf"^{len(soup)} of {len(soup)} .*stand where another one does: `curvlib.weld\(mesh\)`"
+    with pytest.warns(curvlib.MeshWarning, match=told) as w:
+        assert np.isnan(curvlib.estimate(mesh, "taubin").K).all()
     assert w[0].filename == __file__
     twice = len(soup) - len(np.unique(sphere.faces))
     with pytest.warns(curvlib.MeshWarning, match=f"^{twice} vertices stand where another") as w:
-        curvlib.estimate((soup, faces), "quadric")
+        curvlib.estimate(mesh, "quadric")
     assert w[0].filename == __file__
+    welded, index = curvlib.weld(mesh)
+    assert np.isfinite(curvlib.estimate(welded, "taubin").K[index]).all()
 
 
 def test_a_seam_is_told_though_few_vertices_lie_on_it(sphere):
@@ -122,7 +145,7 @@ def test_a_seam_is_told_though_few_vertices_lie_on_it(sphere):
     faces = np.where(upper[:, None], sphere.faces, sphere.faces + len(sphere.vertices))
     used, faces = np.unique(faces, return_inverse=True)
     for name in ("taubin", "quadric"):
-        with pytest.warns(curvlib.MeshWarning, match="12 vertices stand where another one does"):
+        with pytest.warns(curvlib.MeshWarning, match="^12 of 146 vertices stand where another"):
             curvlib.estimate((vertices[used], faces.reshape(-1, 3)), name)
 
 
