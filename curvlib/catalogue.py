@@ -40,10 +40,10 @@ class Catalogue:
         Examples
         --------
         >>> import curvlib
-        >>> curvlib.estimators()[:3]
-        ['circular', 'gauss_bonnet', 'paraboloid']
-        >>> curvlib.surfaces()[:3]
-        ['cone', 'cone_apex', 'cylinder']
+        >>> "gauss_bonnet" in curvlib.estimators()
+        True
+        >>> "cone" in curvlib.surfaces()
+        True
         """
         return sorted(p.stem for p in self.folder.glob("*.py") if not p.stem.startswith("_"))
 
