@@ -30,6 +30,7 @@ _PUBLIC = {
     "estimate": "estimation",
     "load_library": "dataset.library",
     "orient": "meshes.mend",
+    "read": "meshes.exchange",
     "surface": "surfaces._named",
     "tessellate": "nurbs.tessellation",
     "weld": "meshes.mend",

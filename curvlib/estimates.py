@@ -161,27 +161,16 @@ def joined(mesh, given):
 
 
 def warn_of_undefined(mesh, given: str, index=None) -> None:
-    """Warn if fewer than half of the vertices have a ring, or disk where that is `given`, or if
-    some whose triangles do not close to one ring coincide; `index` as in Estimates."""
+    """Warn if fewer than half of the vertices have a ring, or disk where that is `given`; `index`
+    as in Estimates."""
     if given == "mesh":
         return
-    usable, closed = _stars(mesh, given)
-    if index is not None:
-        usable, closed = usable[index], np.full(len(closed), True)
+    usable = _stars(mesh, given)[0] if index is None else _stars(mesh, given)[0][index]
     lacking = np.count_nonzero(~usable)
-    rest = mesh.vertices[~closed]
-    twice = len(rest) - len(np.unique(rest, axis=0))
-    words = []
-    if lacking and (2 * lacking > len(usable) or twice):
+    if 2 * lacking > len(usable):
         causes = _causes(mesh, ~usable, given, index)
         named = ", ".join(f"{n} {cause}" for cause, n in causes.items() if n)
-        words.append(f"{lacking} of {len(usable)} vertices have no value: {named}")
-    if twice:
-        words.append(
-            f"{twice} vertices stand where another one does: `curvlib.weld(mesh)` joins them"
-        )
-    if words:
-        _warn("; ".join(words))
+        _warn(f"{lacking} of {len(usable)} vertices have no value: {named}")
 
 
 def _warn(words):

@@ -17,11 +17,11 @@ def estimate(mesh, estimator, threads: int = 1, per: str = "vertex", **options):
 
     Parameters
     ----------
-    mesh : Mesh, (vertices, faces), or a mesh of another library
-        Arrays (V, 3) and (F, 3), a mesh of trimesh or meshio, or an object that pyvista wraps into
-        a triangle mesh. Its point normals are the exact normals of `normal="exact"`. Points of
-        anything but a Mesh that stand at one place, as readers leave them that split corners, are
-        joined for the estimate as `curvlib.weld` does; values are at all of them.
+    mesh : Mesh, (vertices, faces), path, or a mesh of another library
+        Arrays (V, 3) and (F, 3), a file that `curvlib.read` reads, a mesh of trimesh or meshio, or
+        an object that pyvista wraps into a triangle mesh. Its point normals are the exact normals
+        of `normal="exact"`. Points that stand at one place, as readers leave them that split
+        corners, are joined for the estimate as `curvlib.weld` does; values are at all of them.
     estimator : str, path, callable, or a list of them
         A name in `curvlib.estimators()`, the path of a .py file like those in
         `curvlib/estimators`, or a function with the signature of their `estimate`. The estimators
@@ -51,7 +51,7 @@ def estimate(mesh, estimator, threads: int = 1, per: str = "vertex", **options):
     Warns
     -----
     MeshWarning
-        More than half of the vertices have no value, some vertices coincide, or float32
+        More than half of the vertices have no value, some vertices are joined, or float32
         coordinates are coarse beside the edges.
 
     Examples
@@ -66,7 +66,7 @@ def estimate(mesh, estimator, threads: int = 1, per: str = "vertex", **options):
     """
 
     _keep_pages()
-    as_given, mesh, index = mesh, as_mesh(mesh), None
+    mesh = as_mesh(mesh)
     if not isinstance(threads, Integral) or threads < 1:
         raise InputError(f"threads: {threads!r} is not a number of at least 1")
     several = isinstance(estimator, (list, tuple))
@@ -75,8 +75,7 @@ def estimate(mesh, estimator, threads: int = 1, per: str = "vertex", **options):
         for each in (estimator if several else [estimator])
     }
     kinds = dict.fromkeys(task.given for task in tasks.values())
-    if mesh is not as_given:
-        mesh, index = joined(mesh, next(iter(kinds), "ring"))
+    mesh, index = joined(mesh, next(iter(kinds), "ring"))
     run(mesh, list(tasks.values()), threads)
     for given in kinds:
         warn_of_undefined(mesh, given, index)

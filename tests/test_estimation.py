@@ -125,21 +125,6 @@ def test_points_of_a_soup_are_joined_and_that_is_said(sphere):
     assert both["quadric"].d1.shape == (whole.size, 3)
 
 
-def test_a_Mesh_is_taken_as_it_is(sphere):
-    soup = sphere.vertices[sphere.faces].reshape(-1, 3)
-    mesh = curvlib.Mesh(soup, np.arange(len(soup)).reshape(-1, 3))
-    told = rf"^{len(soup)} of {len(soup)} .*stand where another one does: `curvlib.weld\(mesh\)`"
-    with pytest.warns(curvlib.MeshWarning, match=told) as w:
-        assert np.isnan(curvlib.estimate(mesh, "taubin").K).all()
-    assert w[0].filename == __file__
-    twice = len(soup) - len(np.unique(sphere.faces))
-    with pytest.warns(curvlib.MeshWarning, match=f"^{twice} vertices stand where another") as w:
-        curvlib.estimate(mesh, "quadric")
-    assert w[0].filename == __file__
-    welded, index = curvlib.weld(mesh)
-    assert np.isfinite(curvlib.estimate(welded, "taubin").K[index]).all()
-
-
 def test_a_seam_is_told_though_few_vertices_lie_on_it(sphere):
     """Two halves of one sphere with a row of points each where they meet."""
     upper = sphere.vertices[sphere.faces].mean(1)[:, 2] > 0

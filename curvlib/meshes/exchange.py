@@ -1,4 +1,4 @@
-"""Meshes from the objects of other libraries, with their points in their order."""
+"""Meshes from files and the objects of other libraries, with their points in their order."""
 
 import warnings
 from os import PathLike
@@ -8,6 +8,7 @@ import numpy as np
 from curvlib.errors import InputError, MeshWarning
 
 from .mesh import Mesh
+from .reading import read_arrays
 
 # Cell types of VTK without area, and its triangle.
 NO_AREA, TRIANGLE = {0, 1, 2, 3, 4}, 5
@@ -20,9 +21,9 @@ COARSE = 0.01
 def as_mesh(obj) -> Mesh:
     """A Mesh from (vertices, faces) or from another library's object; a Mesh is returned as it is.
 
-    The object is a mesh of trimesh or meshio, a PolyData or UnstructuredGrid, or one that pyvista
-    wraps into these. Points keep their order; lines, points and ghost cells are left out; point
-    normals become the mesh's. A new Mesh shares the arrays.
+    The object is a path, a mesh of trimesh or meshio, a PolyData or UnstructuredGrid, or one that
+    pyvista wraps into these. Points keep their order; lines, points and ghost cells are left out;
+    point normals become the mesh's. A new Mesh shares the arrays.
 
     Raises InputError for anything but a triangle mesh; the message says how to convert it.
     """
@@ -34,17 +35,49 @@ def as_mesh(obj) -> Mesh:
     return mesh
 
 
+def read(path) -> Mesh:
+    """Read a triangle mesh from a file.
+
+    Parameters
+    ----------
+    path : str or path
+        PLY, OBJ, STL, OFF, glTF, GLB, 3MF (read by trimesh), VTK, VTP, VTU, VTKHDF, MSH (by
+        pyvista), GIFTI or FreeSurfer (by nibabel).
+
+    Returns
+    -------
+    Mesh
+        Vertices in the order in which the library reads them; faces of more corners are divided
+        into triangles, lines and points left out; `normals` where the file has some.
+
+    Raises
+    ------
+    InputError
+        There is no such file, its suffix is not known, its reader is not installed, it cannot be
+        read, or there are no triangles in it.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> off = pathlib.Path(tempfile.mkdtemp(), "triangle.off")
+    >>> _ = off.write_text("OFF 3 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n3 0 1 2\\n")
+    >>> read(off)
+    <Mesh of 3 vertices, 1 faces>
+    """
+    return as_mesh(path if isinstance(path, PathLike) else str(path))
+
+
 def _arrays(obj):
     """Vertices, faces and normals (or None) of an object."""
     name = type(obj).__name__
     if isinstance(obj, (str, PathLike)):
-        raise InputError(f"{str(obj)!r} is a file: read it, e.g. pyvista.read({str(obj)!r})")
+        return read_arrays(obj)
     if isinstance(obj, (tuple, list)):
         if len(obj) != 2:
             raise InputError(f"a mesh is a pair (vertices, faces), not {len(obj)} things")
         return *obj, None
     if hasattr(obj, "geometry") and hasattr(obj, "to_geometry"):
-        raise InputError(f"{name} holds several meshes; pass its .to_mesh()")
+        return _arrays(obj.to_mesh())  # a Scene of trimesh
     if hasattr(obj, "cells_dict") and hasattr(obj, "points") and hasattr(obj, "cell_sets"):
         return _of_cells(name, obj.points, obj.cells_dict, "triangle", ("vertex", "line"))
     if hasattr(obj, "vertices") and hasattr(obj, "faces"):
