@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import pyvista
 import reference
+from scipy.spatial import cKDTree
 
 import curvlib
 from curvlib.catalogue import estimators as catalogue
@@ -13,7 +14,8 @@ from curvlib.claims.cell import NINE as PAPER
 from curvlib.signatures import Signature, readings, resolved
 
 ESTIMATORS = curvlib.estimators()
-GIVEN = {name: Signature.of(*resolved(name)).given for name in ESTIMATORS}
+SIGNATURES = {name: Signature.of(*resolved(name)) for name in ESTIMATORS}
+GIVEN = {name: signature.given for name, signature in SIGNATURES.items()}
 
 
 def test_the_nine_of_the_paper_are_there():
@@ -29,9 +31,24 @@ def around(faces, vertices, rings):
     return found
 
 
-def reach(name):
-    """How many rings away a vertex can change the value."""
-    return readings(name).get("rings", (1,))[0]
+def lengths(name, mesh):
+    """The options with which parts of a mesh have its values: the radius, where there is one by
+    default, not in edges of the part."""
+    by_default = readings(name).get("radius", (None,))[0] is not None
+    return {"radius": 2.5 * mesh.mean_edge} if by_default else {}
+
+
+def within_reach(name, mesh, vertices):
+    """(V,) bool: the vertices with values that others, in one pass or more, can change."""
+    found, signature = np.isin(np.arange(len(mesh.vertices)), vertices), SIGNATURES[name]
+    while signature is not None:
+        radius = lengths(name, mesh).get("radius") if "radius" in signature.options else None
+        if radius is None:
+            found = around(mesh.faces, found, signature.options.get("rings", (1,))[0])
+        else:
+            found = cKDTree(mesh.vertices[found]).query(mesh.vertices)[0] <= radius
+        signature = signature.field
+    return found
 
 
 def assert_estimates(found, expected, tolerance=1e-9):
@@ -112,28 +129,31 @@ class TestConformance:
         """A third face on an edge, two spheres that share a vertex, a face turned over, a vertex
         without faces: NaN there, finite elsewhere, and out of reach the values of the whole
         sphere."""
-        expected = curvlib.estimate(sphere, name)
+        options = lengths(name, sphere)
+        expected = curvlib.estimate(sphere, name, **options)
         count = len(sphere.vertices)
         a, b = sphere.faces[100, :2]
         extra = np.vstack((sphere.vertices, [[3, 3, 3]], [[4, 4, 4]]))
         fin = np.vstack((sphere.faces, [[a, b, count]]))
-        r = curvlib.estimate((extra, fin), name)
+        r = curvlib.estimate((extra, fin), name, **options)
         broken = np.isin(np.arange(count), (a, b))
         assert np.isnan(np.r_[r.K[:count][broken], r.K[count:], r.H[count:]]).all()
         assert np.isfinite(r.K[:count][~broken]).all() or np.isnan(expected.K).all()
-        keep = ~around(sphere.faces, [a, b], reach(name))
+        keep = ~within_reach(name, sphere, [a, b])
+        assert keep.any()
         assert_estimates((r.K[:count][keep], r.H[:count][keep]), (e[keep] for e in expected))
 
         twin = np.where(sphere.faces == 0, 0, sphere.faces + count - 1)
         both = np.vstack((sphere.vertices, 2 * sphere.vertices[0] - sphere.vertices[1:]))
-        r = curvlib.estimate((both, np.vstack((sphere.faces, twin[:, ::-1]))), name)
+        r = curvlib.estimate((both, np.vstack((sphere.faces, twin[:, ::-1]))), name, **options)
         assert np.isnan(r.K[0])
-        keep = ~around(sphere.faces, [0], reach(name) if GIVEN[name] == "disk" else 0)
+        ring = GIVEN[name] == "ring"
+        keep = ~(around(sphere.faces, [0], 0) if ring else within_reach(name, sphere, [0]))
         assert_estimates((r.K[:count][keep], r.H[:count][keep]), (e[keep] for e in expected))
 
         turned = sphere.faces.copy()
         turned[50] = turned[50, ::-1]
-        r = curvlib.estimate((sphere.vertices, turned), name)
+        r = curvlib.estimate((sphere.vertices, turned), name, **options)
         assert np.isnan(r.K[turned[50]]).all()
         if name in PAPER or np.isfinite(expected.K).any():
             assert np.isnan(r.K).sum() == 3
@@ -186,17 +206,20 @@ class TestConformance:
 
     @pytest.mark.parametrize("n", [1025, 100_000])
     def test_a_wide_fan(self, name, n):
-        """Time is proportional to the valence, and vertices elsewhere have their values."""
+        """Time is proportional to the valence, and vertices elsewhere have their values. Where
+        there is a radius by default, the fan is so large that its edges are not within it."""
         angle = 2 * np.pi * np.arange(n) / n
         rim = np.column_stack((np.cos(angle), np.sin(angle), 0 * angle))
         k = np.arange(n)
         faces = np.column_stack((k, (k + 1) % n, np.full(n, n)))
         ball = pyvista.Icosphere(radius=1, nsub=2)
         points, other = ball.points.astype(float), ball.regular_faces
-        alone = curvlib.estimate((points, other), name)
+        options = lengths(name, curvlib.Mesh(points, other))
+        rim *= n if options else 1
+        alone = curvlib.estimate((points, other), name, **options)
         mesh = np.vstack((rim, [[0, 0, 0.1]], points)), np.vstack((faces, other + n + 1))
         start = time.process_time()
-        r = curvlib.estimate(mesh, name)
+        r = curvlib.estimate(mesh, name, **options)
         assert time.process_time() - start < 1
         for values, expected in zip(r, alone):
             np.testing.assert_allclose(values[n + 1 :], expected, rtol=1e-13)
@@ -208,11 +231,13 @@ class TestConformance:
 
     def test_one_vertex_at_a_time_is_the_same(self, name, ellipsoid):
         """No value depends on the batch that it was computed in."""
-        whole = curvlib.estimate(ellipsoid, name)
-        near = around(ellipsoid.faces, [40], reach(name) - 1)
-        some = ellipsoid.faces[near[ellipsoid.faces].any(1)]
+        options = lengths(name, ellipsoid)
+        whole = curvlib.estimate(ellipsoid, name, **options)
+        near = within_reach(name, ellipsoid, [40])
+        assert not near.all()
+        some = ellipsoid.faces[near[ellipsoid.faces].all(1)]
         assert_estimates(
-            (x[[40]] for x in curvlib.estimate((ellipsoid.vertices, some), name)),
+            (x[[40]] for x in curvlib.estimate((ellipsoid.vertices, some), name, **options)),
             (x[[40]] for x in whole),
             tolerance=1e-14,
         )
