@@ -17,7 +17,7 @@ from curvlib.kit.vectors import cross, divide, dot, norm, tangents
 
 LABEL = "Tensor voting"
 SOURCE = "https://doi.org/10.1371/journal.pcbi.1007962"
-STYLE = {"color": "#882255", "marker": "D", "linestyle": "-"}
+STYLE = {"color": "#AA4499", "marker": "D", "linestyle": "-"}
 PER = ("vertex", "face")
 
 # Rows of a Disk: e and a row of ones. Then of the votes for a normal n and w n; of those for
@@ -123,18 +123,21 @@ def estimate(
         Pointwise, in 1/length^2 and 1/length, positive where the surface bends away from its
         normal; d1 and d2 are NaN at an umbilic. NaN: needs a disk or half-disk of triangles whose
         normals do not cancel, and votes in three directions. Vertices on a boundary have values,
-        by votes from inside.
+        by votes from inside, which tilt the normal: on a cylinder k2 there is off by k1 / 6.
 
     Notes
     -----
     Every vertex counts as part of a smooth surface: the parameters epsilon and eta, by which votes
     may be classed as a crease or as without orientation, are 0, as in the publication.
 
-    Distances along edges are too long by a factor that depends on the direction, and so directions
-    have different weights, on fine meshes as well. Their effect on "uniform" is large where
-    vertices form a grid and all diagonals are parallel.
+    Paths along edges are longer in some directions than in others, however fine the mesh, and so
+    directions have different weights. With "uniform" that makes k1 - k2 wrong, most of all at the
+    vertices of a grid with parallel diagonals (on a torus K by half of its mean size).
 
-    Order: ORDER
+    Order: O(h^2) on a regular mesh with "fitted" directions, else none (measured over five edges):
+    on an irregular torus of radii 2 and 1 with 9,216 and 36,864 vertices H is off by 0.031 and
+    0.030 in the mean, "fitted" by 0.0071 and 0.0057; per face by 0.0094 and 0.0086, "fitted" by
+    0.0047 and 0.0023.
 
     Source: Page, Sun, Koschan, Paik, Abidi (2002), Normal vector voting; Tong, Tang (2005), Robust
     estimation of adaptive tensors of curvature by tensor voting; Salfer, Collado, Baumeister,
@@ -158,7 +161,7 @@ def estimate(
         # 2 sin(phi / 2) with its sign, without an angle and without cancellation.
         kappa = out * np.sqrt(2 * inverse / (length * (length + up) * square))
         w = _decay(disk.distances[k] / radius) * (voted[3, 1 + k] if by_area else 1.0)
-        # Neither padding nor a neighbour without a normal or a direction.
+        # Neither padding nor a neighbour without a normal, or a direction, or an angle phi < pi.
         votes = flat > STEEP * square and kappa - kappa == 0
         w, kappa = (w if votes else 0.0), (kappa if votes else 0.0)
         inverse = inverse if votes else 0.0
