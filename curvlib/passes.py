@@ -9,7 +9,7 @@ from .catalogue import estimators
 from .errors import InputError
 from .kit.batch import gather, scatter
 from .kit.tensor import Curvatures
-from .meshes.around import BALL, DISK, GEODESIC, Reach
+from .meshes.around import BALL, DISK, GEODESIC, WIDEST, Reach
 from .meshes.facets import facets
 from .meshes.loops import Neighbourhoods
 from .parallel import for_each
@@ -185,7 +185,9 @@ def _field(mesh, graph, signature, chosen, threads):
         found.append((at[start:end], np.stack(beside.function(*given, **options))))
 
     _each_ring(mesh, work, threads)
-    values = np.full((len(mesh.vertices), max((len(x) for _, x in found), default=0)), np.nan)
+    # Without rings it is not known how many components there are.
+    components = max((len(x) for _, x in found), default=WIDEST)
+    values = np.full((len(mesh.vertices), components), np.nan)
     for vertices, x in found:
         values[vertices] = x.T
     return values

@@ -36,7 +36,11 @@ def total_mean_curvature(mesh, dihedral):
 def test_of_a_box(sides):
     """V(eps) = abc + 2 (ab + bc + ca) eps + pi (a + b + c) eps^2 + 4/3 pi eps^3."""
     corners = np.indices((2, 2, 2)).reshape(3, -1).T * sides
-    assert total_mean_curvature(hull(corners), "signed") == pytest.approx(np.pi * sum(sides))
+    box = hull(corners)
+    assert total_mean_curvature(box, "signed") == pytest.approx(np.pi * sum(sides))
+    a, b, c = sides
+    H = curvlib.estimate(box, "pooled_deficit", rings=3).H
+    np.testing.assert_allclose(H * 2 * (a * b + b * c + c * a), np.pi * sum(sides))
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -57,5 +61,9 @@ def test_of_a_random_convex_polyhedron(seed):
     )
     expected = weights @ heights.mean(1) * 2 * np.pi
     assert total_mean_curvature(mesh, "signed") == pytest.approx(expected, rel=1e-5)
+    a, b, c = mesh.vertices[mesh.faces].swapaxes(0, 1)
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+    H = curvlib.estimate(mesh, "pooled_deficit", radius=10).H
+    np.testing.assert_allclose(H * area, expected, rtol=1e-5)
     # The angle of the next edge, as (3.13) is printed, has no such meaning.
     assert total_mean_curvature(mesh, "as-printed") != pytest.approx(expected, rel=1e-3)
