@@ -12,13 +12,13 @@ STYLE = {"color": "#882255", "marker": "h", "linestyle": "-"}
 
 
 @kernel
-def field(disk):
+def normals(disk):
     """The normal of the triangles of `disk`, weighted by area."""
     return disk.normal
 
 
 @compiled
-def estimate(ring, field):
+def estimate(ring, normals):
     """K = sum Omega_i / A, Omega_i being the area of the spherical triangle of the normals at v,
     v_i and v_{i+1}, with its sign, and A the area of the ring.
 
@@ -26,7 +26,7 @@ def estimate(ring, field):
     ----------
     ring : Ring
         Batch of m closed one-rings of one valence n.
-    field : (3, 1 + n, m)
+    normals : (3, 1 + n, m)
         Unit normals of the vertex and its neighbours.
 
     Returns
@@ -52,7 +52,7 @@ def estimate(ring, field):
     for i in range(n):
         j = (i + 1) % n
         for k in range(m):
-            a, b, c = at(field, 0, k), at(field, 1 + i, k), at(field, 1 + j, k)
+            a, b, c = at(normals, 0, k), at(normals, 1 + i, k), at(normals, 1 + j, k)
             # Van Oosterom and Strackee (1983): tan(Omega / 2).
             triple, cosines = dot(a, cross(b, c)), 1 + dot(a, b) + dot(b, c) + dot(c, a)
             image[k] += 2 * math.atan2(triple, cosines)

@@ -13,7 +13,7 @@ STYLE = {"color": "#0072B2", "marker": "p", "linestyle": "--"}
 
 
 @compiled
-def field(ring):
+def cells(ring):
     """Of each vertex of the batch `ring` the integrals of K and H over its cell, (3.12) and (3.13),
     and the area of the cell, a third of the ring's, (m,)."""
     deficits, areas = total_angle(ring), total(ring.areas)
@@ -26,7 +26,7 @@ def field(ring):
 
 
 @kernel
-def estimate(disk, field, rings: Literal[1, 2, 3] = 1, radius: Length = None):
+def estimate(disk, cells, rings: Literal[1, 2, 3] = 1, radius: Length = None):
     """K = sum (2 pi - sum alpha_i) / sum (A / 3) and H = sum (sum |e_i| beta_i / 4) / sum (A / 3),
     the sums being over the vertex and its neighbours, beta_i signed.
 
@@ -34,7 +34,7 @@ def estimate(disk, field, rings: Literal[1, 2, 3] = 1, radius: Length = None):
     ----------
     disk : Disk
         A vertex and its neighbours.
-    field : (3, 1 + n)
+    cells : (3, 1 + n)
         At the vertex and each neighbour, the integrals of K and H over the cell of its closed
         one-ring, and its area.
     rings : {1, 2, 3}
@@ -68,7 +68,7 @@ def estimate(disk, field, rings: Literal[1, 2, 3] = 1, radius: Length = None):
     """
     K = H = area = area_of_edges = 0.0
     for i in range(1 + disk.count):
-        deficit, edges, cell = field[0, i], field[1, i], field[2, i]
+        deficit, edges, cell = cells[0, i], cells[1, i], cells[2, i]
         if math.isfinite(deficit):
             K, area = K + deficit, area + cell
         if math.isfinite(edges):

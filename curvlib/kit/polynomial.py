@@ -79,23 +79,12 @@ def fit_polynomial(disk, X, Y, N, lowest, degree):
     """
     if degree > HIGHEST:
         raise InputError("fit_polynomial: a degree above 9")
-    # The monomials begin at the weights, which are row 3.
     rows, one, count, first = disk.rows, 3, terms(degree), terms(lowest - 1)
-    x, y, z = one + count, one + count + 1, one + count + 2
-    inverse = 1 / disk.radius
-    project(rows, x, 0, _scaled(X, inverse))
-    project(rows, y, 0, _scaled(Y, inverse))
-    project(rows, z, 0, _scaled(N, inverse))
+    inverse, z = 1 / disk.radius, one + count + 2
+    monomials(disk, X, Y, N, degree)
     multiply(rows, z, z, one)
-    at = one + 1
-    for s in range(1, degree + 1):
-        for _ in range(s):
-            multiply(rows, at, at - s, x)
-            at += 1
-        multiply(rows, at, at - s - 1, y)
-        at += 1
     moments, heights = part(disk.space, 0, (MOMENTS,)), part(disk.space, MOMENTS, (MONOMIALS,))
-    _sum(rows, one, 2 * lowest, 2 * degree, moments)
+    sum_moments(rows, 2 * lowest, 2 * degree, moments)
     if lowest == 0:
         moments[0] += 1
     for i in range(first, count):
@@ -130,20 +119,56 @@ def fit_polynomial(disk, X, Y, N, lowest, degree):
 
 
 @kernel
+def monomials(disk, X, Y, N, degree):
+    """Set rows of a Disk, from the fourth on, to its weights times the monomials of x = e . X and
+    y = e . Y in units of its radius, then three more to x, y and z = e . N.
+
+    Parameters
+    ----------
+    disk : Disk
+    X, Y, N : tuple of 3 floats
+        As in `fit_polynomial`.
+    degree : int
+        Highest degree of a monomial, at most HIGHEST.
+    """
+    # The first monomial is 1: the weights, which are row 3.
+    rows, inverse, at = disk.rows, 1 / disk.radius, 4
+    x = 3 + terms(degree)
+    project(rows, x, 0, _scaled(X, inverse))
+    project(rows, x + 1, 0, _scaled(Y, inverse))
+    project(rows, x + 2, 0, _scaled(N, inverse))
+    for s in range(1, degree + 1):
+        for _ in range(s):
+            multiply(rows, at, at - s, x)
+            at += 1
+        multiply(rows, at, at - s - 1, x + 1)
+        at += 1
+
+
+@kernel
 def _scaled(a, x):
     return a[0] * x, a[1] * x, a[2] * x
 
 
 @kernel
-def _sum(rows, one, lowest, highest, moments):
-    """Set the moments of a range of degrees, each the sum of the product of two monomials."""
+def sum_moments(rows, lowest, highest, moments):
+    """Set the moments of a range of degrees, each the sum of the product of two monomials.
+
+    Parameters
+    ----------
+    rows : (ROWS, n)
+        As `monomials` leaves them, of half the highest degree.
+    lowest, highest : int
+    moments : (MOMENTS,)
+        Written to at the places of these degrees in the order of monomials.
+    """
     at = terms(lowest - 1)
     for s in range(lowest, highest + 1):
         half = (s + 1) // 2
         for j in range(s + 1):
             of_half = min(j, half)
             a, b = terms(half - 1) + of_half, terms(s - half - 1) + j - of_half
-            moments[at] = dot(rows, one + a, one + b)
+            moments[at] = dot(rows, 3 + a, 3 + b)
             at += 1
 
 
