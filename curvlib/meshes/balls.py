@@ -125,7 +125,8 @@ def _apex(adjacency, b, c):
     """The third corner of the triangle with the edge from b to c; -1 where there is none, or where
     it is not known since neither b nor c has a disk or half-disk."""
     offsets, neighbours, stars = adjacency
-    if stars[b] != BROKEN:
+    # The shorter row is searched: the time is proportional to the valence.
+    if _before(adjacency, b, c):
         # In the row of b, the third corner follows c.
         first, last = offsets[b], offsets[b + 1]
         j = _index(neighbours, first, last, c) + 1
@@ -143,19 +144,25 @@ def _apex(adjacency, b, c):
 
 
 @kernel
+def _before(adjacency, b, c):
+    """Whether b has a row, and c none or a longer one, or one as long and a larger index."""
+    offsets, _, stars = adjacency
+    if stars[b] == BROKEN or stars[c] == BROKEN:
+        return stars[b] != BROKEN
+    p, q = offsets[b + 1] - offsets[b], offsets[c + 1] - offsets[c]
+    return p < q or (p == q and b < c)
+
+
+@kernel
 def _place(adjacency, a, b, c):
     """A number of the triangle a, b, c of its own: the place of an edge of it in `neighbours`, in
-    the row of its smallest corner that has one."""
-    offsets, neighbours, stars = adjacency
-    last = np.int64(len(stars))
-    x = a if stars[a] != BROKEN else last
-    y = b if stars[b] != BROKEN else last
-    z = c if stars[c] != BROKEN else last
-    if x < min(y, z):
-        return _index(neighbours, offsets[x], offsets[x + 1], b)
-    if y < z:
-        return _index(neighbours, offsets[y], offsets[y + 1], c)
-    return _index(neighbours, offsets[z], offsets[z + 1], a)
+    the shortest row of a corner."""
+    offsets, neighbours, _ = adjacency
+    if _before(adjacency, a, b) and _before(adjacency, a, c):
+        return _index(neighbours, offsets[a], offsets[a + 1], b)
+    if _before(adjacency, b, c) and not _before(adjacency, a, b):
+        return _index(neighbours, offsets[b], offsets[b + 1], c)
+    return _index(neighbours, offsets[c], offsets[c + 1], a)
 
 
 @kernel

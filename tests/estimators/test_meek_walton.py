@@ -60,8 +60,11 @@ def exact_normals(disk):
     return disk.exact_normal
 
 
-def with_exact_normals(ring, exact_normals):
-    return estimators.module("meek_walton").estimate(ring, exact_normals)
+spherical_image = estimators.module("meek_walton").estimate
+
+
+def with_exact_normals(ball, exact_normals):
+    return spherical_image(ball, exact_normals)
 
 
 def test_order():
