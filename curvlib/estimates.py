@@ -26,6 +26,8 @@ class Estimates:
         symmetric saddle; NaN where k1 = k2 = 0.
     curvedness : ndarray of float64, (V,)
         sqrt((k1^2 + k2^2) / 2), in 1/length.
+    returned : tuple of str
+        The quantities that the estimator returns; others follow from K and H, or are undefined.
     undefined : dict
         Cause -> number of vertices, or triangles, with a NaN.
 
@@ -53,6 +55,11 @@ class Estimates:
         for name in ("K", "H"):
             values = found.get(name)
             setattr(self, name, np.full(count, np.nan) if values is None else values)
+
+    @property
+    def returned(self) -> tuple[str, ...]:
+        """The quantities that the estimator returns."""
+        return tuple(self._found)
 
     @property
     def k1(self) -> np.ndarray:
@@ -108,7 +115,7 @@ class Estimates:
         return iter((self.K, self.H))
 
     def __repr__(self):
-        names = ", ".join(self._found) or "nothing"
+        names = ", ".join(self.returned) or "nothing"
         places = "vertices" if self._per == "vertex" else "triangles"
         return f"<Estimates of {names} at {len(self.K)} {places}>"
 

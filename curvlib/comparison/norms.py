@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .quantities import QUANTITIES, absolute
+from .quantities import QUANTITIES, compared, defined
 
 NORMS = ("mean", "median", "q95", "max", "mean-signed")
 
@@ -14,24 +14,26 @@ ROUNDING = 1e-9
 
 
 def error_rows(exact, estimates, counted):
-    """Yield a dict per quantity: its error in each of NORMS, `vertices` and `undefined`.
+    """Yield a dict per quantity that is `compared`: its error in each of NORMS, `vertices` and
+    `undefined`.
 
-    The errors are |K - K_est| and, as in the paper, | |H| - |H_est| |; `mean-signed` is the mean
-    of |x - x_est|, an absolute error that a wrong sign enters. `vertices`: how many of `counted`
-    (V,) bool are interior and have both exact value and estimate; `undefined`: how many are left
-    out. Boundary vertices are left out for every estimator, so that all compete on the same ones.
-    Norms over no vertex are NaN.
+    The errors are |K - K_est| and, as in the paper, | |H| - |H_est| |, further |k1 - k1_est|,
+    |k2 - k2_est|, and the angle of d1 in degrees, away from umbilics of the surface. `mean-signed`
+    is the mean of |x - x_est|, an absolute error that a wrong sign enters. `vertices`: how many of
+    `counted` (V,) bool are interior and have both exact value and estimate; `undefined`: how many
+    are left out. Boundary vertices are left out for every estimator, so that all compete on the
+    same ones. Norms over no vertex are NaN.
     """
     counted_inside = counted & ~exact.boundary
-    for name, quantity in QUANTITIES.items():
-        a, b = getattr(exact, name), getattr(estimates, name)
-        defined = np.isfinite(a) & np.isfinite(b) & counted_inside
-        a, b = a[defined], b[defined]
-        error, values = quantity.error(a, b), np.full(len(NORMS), np.nan)
-        if defined.any():
+    for name, (a, b) in compared(exact, estimates).items():
+        there = defined(a) & defined(b) & counted_inside
+        a, b = a[there], b[there]
+        error, values = QUANTITIES[name].error(a, b), np.full(len(NORMS), np.nan)
+        if there.any():
             median, q95 = np.quantile(error, (0.5, 0.95))
-            values = error.mean(), median, q95, error.max(), absolute(a, b).mean()
-        count = {"vertices": int(defined.sum()), "undefined": int((counted & ~defined).sum())}
+            signed = QUANTITIES[name].distance(a, b).mean()
+            values = error.mean(), median, q95, error.max(), signed
+        count = {"vertices": int(there.sum()), "undefined": int((counted & ~there).sum())}
         yield {"quantity": name, **dict(zip(NORMS, map(float, values))), **count}
 
 

@@ -50,13 +50,14 @@ def run_and_keep(estimator: str, variants: dict, meshes, errors, values, **attri
     """Run an estimator in all variants; write `errors` and `values`, both whole or neither.
 
     `errors`: CSV of COLUMNS; without rows it has a header. `values`: HDF5 with `attributes` of its
-    root, /<surface>/<diagonal>/<n>/<quantity>: the values of the first variant, the default.
+    root, /<surface>/<diagonal>/<n>/<quantity>: the values of the first variant, the default; those
+    of QUANTITIES that the estimator returns.
     """
     default, arrays = next(iter(variants)), {}
 
     def keep(key, variant, result):
         if variant == default:
-            for quantity in QUANTITIES:
+            for quantity in filter(QUANTITIES.get, result.returned):
                 arrays["/".join(map(str, (*key, quantity)))] = getattr(result, quantity)
 
     rows = list(run_estimator(estimator, variants, meshes, lambda key: variants, keep))

@@ -1,7 +1,9 @@
 """Two experiments beyond the paper: noise on its meshes, and one-rings that shrink on quadrics."""
 
+import functools
 import zlib
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -11,7 +13,7 @@ from curvlib.kit.ring import one_ring
 from curvlib.signatures import Signature
 
 from .norms import edge_lengths
-from .quantities import QUANTITIES, absolute
+from .quantities import QUANTITIES, compared, defined
 from .run import write_rows
 
 # Standard deviation of the displacement, as a fraction of the mean edge.
@@ -58,8 +60,9 @@ def noise_rows(key, mesh, estimator: str, variants: dict):
 
     Means are over the interior `vertices` that have an exact value and an estimate on the clean
     mesh and in all draws; without such a vertex they are NaN. `value` is the mean error, `response`
-    the mean of |x_noisy - x_clean|, x the estimate: what noise does to it, whatever its error.
-    `spread` and `response_spread` are the standard deviations of either over the draws.
+    the mean of |x_noisy - x_clean|, x the estimate (of directions the angle): what noise does to
+    it, whatever its error. `spread` and `response_spread` are the standard deviations of either
+    over the draws.
     """
     length = edge_lengths(mesh).mean()
     rng = np.random.default_rng([zlib.crc32(key.surface.encode()), key.n])
@@ -73,16 +76,17 @@ def noise_rows(key, mesh, estimator: str, variants: dict):
         clean = estimate(still[0], estimator, **options)
         for sigma in SIGMAS:
             results = [estimate(m, estimator, **options) for m in moved.get(sigma, still)]
-            for name, quantity in QUANTITIES.items():
-                exact, before = getattr(mesh, name), getattr(clean, name)
+            for name, (exact, before) in compared(mesh, clean).items():
                 after = np.array([getattr(result, name) for result in results])
-                defined = np.isfinite((exact, before, *after)).all(0) & ~mesh.boundary
-                exact, before, after = exact[defined], before[defined], after[:, defined]
+                everywhere = map(defined, (exact, before, *after))
+                there = functools.reduce(np.logical_and, everywhere, ~mesh.boundary)
+                exact, before, after = exact[there], before[there], after[:, there]
+                quantity = QUANTITIES[name]
                 row = {"surface": key.surface, "n": key.n, "variant": variant, "quantity": name}
                 row |= {"sigma": sigma, "draws": len(results)}
                 row |= _over_draws("value", "spread", quantity.error(exact, after))
-                row |= _over_draws("response", "response_spread", absolute(before, after))
-                yield row | {"vertices": int(defined.sum())}
+                row |= _over_draws("response", "response_spread", quantity.distance(before, after))
+                yield row | {"vertices": int(there.sum())}
 
 
 def _over_draws(mean, spread, distances):
@@ -92,7 +96,8 @@ def _over_draws(mean, spread, distances):
 
 
 def ring_rows(estimator: str, variants: dict, seed: int = 0):
-    """Yield dicts of RING_COLUMNS: mean absolute error against ring size h, valence by valence.
+    """Yield dicts of RING_COLUMNS: mean absolute error against ring size h, valence by valence,
+    of the quantities that are `compared`.
 
     Each draw is a quadric through the origin, tangent to z = 0 there,
 
@@ -116,8 +121,9 @@ def ring_rows(estimator: str, variants: dict, seed: int = 0):
             distance = 1 + jitter * rng.uniform(-1, 1, (n, RING_DRAWS))
             angle = turn + 2 * np.pi * steps / n
             # The normal is +z, from which the quadric bends away where k1 and k2 are negative.
-            exact = {"K": (k1 * k2)[0], "H": -(k1 + k2)[0] / 2}
-            exact |= {"k1": -np.minimum(k1, k2)[0], "k2": -np.maximum(k1, k2)[0]}
+            exact = SimpleNamespace(K=(k1 * k2)[0], H=-(k1 + k2)[0] / 2)
+            exact.k1, exact.k2 = -np.minimum(k1, k2)[0], -np.maximum(k1, k2)[0]
+            exact.d1 = np.where((k1 < k2).T, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
             for h in SIZES:
                 x, y = h * distance * np.cos(angle), h * distance * np.sin(angle)
                 f, b = (k1 * x * x + k2 * y * y) / 2, 1 - p * x - q * y
@@ -128,18 +134,19 @@ def ring_rows(estimator: str, variants: dict, seed: int = 0):
                 for variant, options in variants.items():
                     with np.errstate(divide="ignore", invalid="ignore"):
                         returned = function(ring, **options)
-                    by_name = dict(zip(getattr(returned, "_fields", ("K", "H")), returned))
-                    for quantity in QUANTITIES:
-                        if by_name.get(quantity) is None:
-                            continue
-                        error = absolute(exact[quantity], by_name[quantity])
-                        defined = np.isfinite(error)
+                    names = getattr(returned, "_fields", ("K", "H"))
+                    values = zip(names, returned)
+                    found = {name: np.transpose(x) for name, x in values if x is not None}
+                    found = SimpleNamespace(returned=tuple(found), **found)
+                    for quantity, both in compared(exact, found).items():
+                        error = QUANTITIES[quantity].distance(*both)
+                        known = np.isfinite(error)
                         yield {
                             "variant": variant,
                             "valence": n,
                             "ring": kind,
                             "h": float(h),
                             "quantity": quantity,
-                            "value": float(error[defined].mean()) if defined.any() else np.nan,
-                            "undefined": int((~defined).sum()),
+                            "value": float(error[known].mean()) if known.any() else np.nan,
+                            "undefined": int((~known).sum()),
                         }

@@ -9,8 +9,6 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
-from curvlib.comparison.quantities import QUANTITIES
-
 from .style import NO_RANK, SMALL, TEXT_WIDTH, in_lines, in_style
 
 COLOURS = matplotlib.colormaps["RdBu"]
@@ -30,6 +28,7 @@ def agreement_plot(agreement, readings, surfaces, modules) -> Figure:
     """
     across, down = surfaces[:-1], surfaces[1:]
     rows = [reading for reading in readings if reading in set(agreement.reading)]
+    quantities = agreement.quantity.unique()
     if not rows or not down:
         figure = Figure(figsize=(TEXT_WIDTH, 1))
         figure.text(0.5, 0.5, "no two rankings of the nine in this study", ha="center")
@@ -39,7 +38,7 @@ def agreement_plot(agreement, readings, surfaces, modules) -> Figure:
     size = np.array([TEXT_WIDTH, len(rows) * (HEAD + panel[1]) + FOOT])
     figure = Figure(figsize=size)
     labels = {surface: in_lines(modules[surface].LABEL, 12) for surface in surfaces}
-    for (i, reading), (j, quantity) in itertools.product(enumerate(rows), enumerate(QUANTITIES)):
+    for (i, reading), (j, quantity) in itertools.product(enumerate(rows), enumerate(quantities)):
         left = LEFT + j * (panel[0] + GAP)
         bottom = FOOT + (len(rows) - 1 - i) * (HEAD + panel[1])
         axes = figure.add_axes([*np.array([left, bottom]) / size, *panel / size])

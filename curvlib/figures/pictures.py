@@ -93,11 +93,11 @@ def error_map(mesh, estimates, quantity: str, surface, modules, draw) -> Figure:
     estimators'. One logarithmic scale for all, from the quantile 1 - COVERED of all errors to
     COVERED.
     """
-    symbol, _, unit, _, error = QUANTITIES[quantity]
+    symbol, _, unit, _, error, _ = QUANTITIES[quantity]
     errors = {}
     for name, values in estimates.items():
-        estimate = getattr(values, quantity)
-        if np.isfinite(estimate).any():
+        estimate = getattr(values, quantity, None)
+        if estimate is not None and np.isfinite(estimate).any():
             errors[name] = error(getattr(mesh, quantity), estimate)
     every = np.concatenate([[], *errors.values()])
     norm = _logarithmic(every)

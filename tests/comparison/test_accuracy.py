@@ -37,6 +37,7 @@ def test_error_norms():
     exact = SimpleNamespace(K=np.array([1.0, 2, nan, 4, 5]), H=np.array([1.0, -1, nan, 2, 2]))
     exact.boundary = np.zeros(5, bool)
     estimate = SimpleNamespace(K=np.array([1.5, 2, 3, nan, 3]), H=np.array([-1.0, -2, 1, nan, 3]))
+    estimate.returned = ("K", "H")
     rows = pd.DataFrame(error_rows(exact, estimate, np.ones(5, bool)))
     value = rows.set_index("quantity")
     assert value["mean"]["K"] == pytest.approx(2.5 / 3)
@@ -62,7 +63,7 @@ def test_error_norms():
 
 def test_a_quantity_without_a_value_counts_its_vertices_as_undefined():
     exact = SimpleNamespace(K=np.ones(3), H=np.ones(3), boundary=np.zeros(3, bool))
-    estimate = SimpleNamespace(K=np.ones(3), H=np.full(3, np.nan))
+    estimate = SimpleNamespace(K=np.ones(3), H=np.full(3, np.nan), returned=("K", "H"))
     H = pd.DataFrame(error_rows(exact, estimate, np.array([1, 1, 0], bool))).iloc[1]
     assert (H.quantity, H.vertices, H.undefined) == ("H", 0, 2)
     assert H[list(NORMS)].isna().all()

@@ -238,7 +238,8 @@ def test_rings_plot_has_the_order_at_the_end_of_every_line(rings, printed):
 def test_rings_plot_says_what_its_error_is(rings, quantity):
     figure = rings_plot(*rings, VARIANTS, quantity)
     error = figure.texts[-1].get_text()
-    assert error.startswith(rf"mean of $|{quantity} - {quantity}_\mathrm{{est}}|$ (1/length")
+    unit = QUANTITIES[quantity].unit
+    assert error == rf"mean of $|{quantity} - {quantity}_\mathrm{{est}}|$ ({unit})"
 
 
 def test_rings_plot_of_a_study_without_those_estimators(rings):
