@@ -28,6 +28,7 @@ include: "workflow/rules/figures.smk"
 include: "workflow/rules/paper.smk"
 include: "workflow/rules/readme.smk"
 include: "workflow/rules/throughput.smk"
+include: "workflow/rules/estimators.smk"
 
 
 rule all:

@@ -19,6 +19,8 @@ from curvlib.catalogue import estimators
 from curvlib.estimation import estimate
 from curvlib.meshes.torus import torus
 
+from .calls import calls
+
 REFERENCE = "libigl gaussian_curvature"
 SECONDS, RUNS = 3.0, 9  # a method is run until one of these is reached, at least twice
 
@@ -61,8 +63,11 @@ def _trimesh():
     )
 
 
-def _ours(*names):
-    return lambda vertices, faces, threads: estimate((vertices, faces), names, threads=threads)
+def _ours(call):
+    def run(vertices, faces, threads):
+        return estimate((vertices, faces), call.estimator, threads, **call.options)
+
+    return run
 
 
 # Each value makes a function of (vertices, faces, threads), or raises ImportError.
@@ -81,10 +86,13 @@ LIMITS = {
 
 
 def methods():
-    """Name -> maker of a function of (vertices, faces, threads), for every method measured."""
-    names = estimators.names()
-    ours = {name: functools.partial(_ours, name) for name in names}
-    return ours | {"all estimators": functools.partial(_ours, *names)} | PEERS | LIMITS
+    """Name -> maker of a function of (vertices, faces, threads), for every method measured: the
+    `calls` of estimators, PEERS and LIMITS."""
+    return _calls() | PEERS | LIMITS
+
+
+def _calls():
+    return {str(call): functools.partial(_ours, call) for call in calls(estimators.names())}
 
 
 def measure(method: str, threads: int, vertices, faces) -> dict:
@@ -118,7 +126,8 @@ def measure(method: str, threads: int, vertices, faces) -> dict:
 
 def rows(sizes, kinds=("regular", "irregular"), threads=(1, 2)):
     """Yield the rows of `measure` for all methods, `sizes` (square roots of the numbers of
-    vertices), kinds of `torus` and numbers of threads; peers run on one thread."""
+    vertices), kinds of `torus` and numbers of threads. Peers run on one thread, and so do smaller
+    sizes than the largest."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "mesh.npz")
 
@@ -130,14 +139,15 @@ def rows(sizes, kinds=("regular", "irregular"), threads=(1, 2)):
         def save(size, kind):
             np.savez(path, **dict(zip(("vertices", "faces"), torus(size, kind))))
 
-        # Compile once before any measurement: the compiler's memory would count as peak.
-        save(8, "regular")
-        row("all estimators", 1)
+        # Compile once before any measurement: the compiler's memory would hide a smaller peak.
+        for make in _calls().values():
+            make()(*torus(8, "regular"), 1)
         for size in sizes:
             for kind in kinds:
                 save(size, kind)
                 for method in methods():
-                    for count in threads[: 1 if method in PEERS | LIMITS else None]:
+                    alone = method in PEERS | LIMITS or size < max(sizes)
+                    for count in threads[: 1 if alone else None]:
                         yield {"mesh": kind} | row(method, count)
 
 

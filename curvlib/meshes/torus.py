@@ -3,17 +3,17 @@
 import numpy as np
 
 
-def torus(side: int, kind: str, seed: int = 0):
-    """Vertices (side^2, 3) and faces of a torus with radii 2 and 1: a grid in its angles for
-    "regular", the Delaunay triangles of the jittered grid for "irregular"."""
+def torus(side: int, kind: str, seed: int = 0, radii=(2.0, 1.0), jitter: float = 0.45):
+    """Vertices (side^2, 3) and faces of a torus: a grid in its angles for "regular", the Delaunay
+    triangles of the grid, jittered by part of a step, for "irregular"."""
     i, j = np.divmod(np.arange(side * side), side)
     points = np.stack((i, j), -1).astype(float)
     if kind == "irregular":
-        points += np.random.default_rng(seed).uniform(-0.45, 0.45, points.shape)
+        points += np.random.default_rng(seed).uniform(-jitter, jitter, points.shape)
     angles = 2 * np.pi / side * points
     around, ring = np.cos(angles), np.sin(angles)
-    r = 2 + around[:, 1]
-    vertices = np.stack((r * around[:, 0], r * ring[:, 0], ring[:, 1]), -1)
+    r = radii[0] + radii[1] * around[:, 1]
+    vertices = np.stack((r * around[:, 0], r * ring[:, 0], radii[1] * ring[:, 1]), -1)
     return vertices, (_grid if kind == "regular" else _delaunay)(points, side)
 
 

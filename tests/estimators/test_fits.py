@@ -5,13 +5,13 @@ from typing import Literal
 
 import numpy as np
 import pytest
-from scipy.spatial import Delaunay
 
 import curvlib
 from curvlib.kit.compiled import compiled
 from curvlib.kit.polynomial import fit_polynomial
 from curvlib.kit.tensor import from_graph
 from curvlib.kit.vectors import dot, tangents
+from curvlib.meshes.jittered import graph, wavy
 from curvlib.meshes.torus import torus
 
 PEERS = np.load(Path(__file__).with_name("peers.npz"))
@@ -65,21 +65,6 @@ def test_quadrics_against_libigl(name):
     assert np.abs(ours.k1 - theirs[:, 0])[inner].max() < 0.02
 
 
-def graph(n, f, seed=0):
-    """An irregular mesh over [-1, 1]^2 of the graph of f: Delaunay triangles of a jittered grid."""
-    rng = np.random.default_rng(seed)
-    u = np.linspace(-1, 1, n)
-    x, y = (a.ravel() for a in np.meshgrid(u, u, indexing="ij"))
-    inner = (np.abs(x) < 1) & (np.abs(y) < 1)
-    jitter = rng.uniform(-0.35, 0.35, (2, len(x))) * inner * 2 / (n - 1)
-    x, y = x + jitter[0], y + jitter[1]
-    faces = Delaunay(np.column_stack((x, y))).simplices
-    a, b, c = faces.T
-    turned = (x[b] - x[a]) * (y[c] - y[a]) < (x[c] - x[a]) * (y[b] - y[a])
-    faces[turned] = faces[turned, ::-1]
-    return curvlib.Mesh(np.column_stack((x, y, f(x, y))), faces)
-
-
 def exact(x, y, f):
     """K and H of a graph, by central differences."""
     h = 1e-4
@@ -90,10 +75,6 @@ def exact(x, y, f):
     g = 1 + p * p + q * q
     H = -((1 + q * q) * r - 2 * p * q * s + (1 + p * p) * t) / (2 * g**1.5)
     return (r * t - s * s) / g**2, H
-
-
-def wavy(x, y):
-    return 0.5 * x * x - 0.3 * y * y + 0.15 * np.sin(3 * x) * np.cos(2 * y)
 
 
 @pytest.mark.parametrize(

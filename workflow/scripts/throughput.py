@@ -13,5 +13,5 @@ with logged(snakemake.log[0]):
     table = pd.DataFrame(rows(snakemake.params.sizes))
     table.to_csv(snakemake.output.table, index=False)
     pd.DataFrame(exact_rows()).to_csv(snakemake.output.exact, index=False)
-    modules = {name: estimators.module(name) for name in estimators.names()}
+    modules = estimators.modules({name: name for name in estimators.names()})
     save(throughput_plot(table, modules), snakemake.output.figure)
