@@ -13,6 +13,7 @@ from urllib.parse import quote
 import pandas as pd
 import pytest
 
+from curvlib.claims.cell import NINE
 from curvlib.claims.explanations import best
 
 ROOT = Path(__file__).parents[2]
@@ -198,6 +199,35 @@ def test_an_estimator_and_a_surface_from_elsewhere(study):
     assert re.search("^tables +results/small/tables$", output, re.M), "says where tables are"
     errors = (study.folder / ERRORS).read_text()
     assert "a pipe+1,same,8,128,mine,default,K,mean," in errors
+
+
+def test_the_survey_is_of_every_file(study):
+    """In the folder, though the study names one of them, and of the study; its page shows the
+    cost where it was measured."""
+    folder = study.folder / "curvlib/estimators"
+    for path in folder.glob("[a-z]*.py"):
+        if path.stem not in (*NINE, "jet"):
+            path.unlink()
+    text = (folder / "watanabe_b.py").read_text()
+    study.write("mine.py", re.sub("STYLE = .*", "", text))
+    study.write("small.yaml", SMALL.replace("paraboloid", "mine.py"))
+    both = {"estimator_errors": 1, "estimators": 1, "total": 2}
+    assert rules(study("estimators", "--cores", "2")) == both
+    assert "Nothing to be done" in study("estimators")
+    tables = study.folder / "results/small/tables"
+    surveyed = set(pd.read_csv(tables / "estimators.csv").estimator.str.partition("(")[0])
+    assert surveyed == {*NINE, "jet", "mine"}
+    page = (tables / "estimators.md").read_text(encoding="utf-8")
+    assert "| mine | 1 ring |\n" in page
+
+    measured = "method,mesh,vertices,threads,seconds,ratio\nmine,irregular,1000,1,0.0025,3.5\n"
+    (tables / "throughput.csv").write_text(measured)
+    assert rules(study("estimators", "--cores", "2")) == {"estimators": 1, "total": 1}
+    page = (tables / "estimators.md").read_text(encoding="utf-8")
+    assert "| mine | 1 ring | 2.5 | 3.5 |\n" in page
+    shutil.copy(folder / "watanabe_b.py", folder / "own.py")
+    assert rules(study("--dry-run", "estimators")) == both
+    assert "estimators" not in rules(study("--dry-run"))
 
 
 def test_a_fault_in_a_strangers_file_is_one_line(study):
