@@ -23,6 +23,7 @@ from .calls import calls
 
 REFERENCE = "libigl gaussian_curvature"
 SECONDS, RUNS = 3.0, 9  # a method is run until one of these is reached, at least twice
+LONGEST = 60.0  # seconds of a run; a mesh on which it would take longer is left out
 
 
 def _igl(function):
@@ -126,8 +127,9 @@ def measure(method: str, threads: int, vertices, faces) -> dict:
 
 def rows(sizes, kinds=("regular", "irregular"), threads=(1, 2)):
     """Yield the rows of `measure` for all methods, `sizes` (square roots of the numbers of
-    vertices), kinds of `torus` and numbers of threads. Peers run on one thread, and so do smaller
-    sizes than the largest."""
+    vertices) ascending, kinds of `torus` and numbers of threads. Peers run on one thread, and so do
+    smaller sizes than the largest. A method that would take longer than LONGEST, by its time on the
+    next smaller mesh, has a row with a `note` instead."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "mesh.npz")
 
@@ -142,13 +144,21 @@ def rows(sizes, kinds=("regular", "irregular"), threads=(1, 2)):
         # Compile once before any measurement: the compiler's memory would hide a smaller peak.
         for make in _calls().values():
             make()(*torus(8, "regular"), 1)
+        slow = {}  # (method, kind) -> seconds a vertex
         for size in sizes:
             for kind in kinds:
                 save(size, kind)
                 for method in methods():
+                    expected = size * size * slow.get((method, kind), 0)
+                    if expected > LONGEST:
+                        left_out = {"method": method, "threads": 1, "vertices": size * size}
+                        yield {"mesh": kind, **left_out, "note": f"not run: {expected:.0f} s"}
+                        continue
                     alone = method in PEERS | LIMITS or size < max(sizes)
                     for count in threads[: 1 if alone else None]:
-                        yield {"mesh": kind} | row(method, count)
+                        measured = row(method, count)
+                        slow[method, kind] = measured.get("seconds", 0) / measured["vertices"]
+                        yield {"mesh": kind} | measured
 
 
 def seconds_of(run, *arguments):

@@ -103,6 +103,37 @@ def test_rows_of_processes_of_their_own_make_a_figure(monkeypatch, tmp_path):
     assert "Watanabe B" in (tmp_path / "figure.svg").read_text()
 
 
+def test_a_method_that_would_take_too_long_has_a_row_that_says_so(monkeypatch):
+    monkeypatch.setattr(throughput, "PEERS", {})
+    monkeypatch.setattr(throughput.estimators, "names", lambda: ["watanabe_b"])
+    monkeypatch.setattr(throughput, "LONGEST", 0.0)
+    table = pd.DataFrame(throughput.rows([5, 6], kinds=["regular"]))
+    small, large = (table[table.vertices == size**2] for size in (5, 6))
+    assert (small.note == "").all()
+    assert large.note.str.fullmatch(r"not run: \d+ s").all()
+    assert large.seconds.isna().all()
+    assert list(small.method) == list(large.method) == ["watanabe_b", *throughput.LIMITS]
+
+
+def test_calls_of_one_estimator_share_colour_and_marker():
+    methods = ["jet", "jet(degree=3)", "quadric", "a peer", "copy"]
+    table = pd.DataFrame(
+        {"method": m, "mesh": "regular", "threads": 1, "vertices": v, "seconds": 1.0}
+        | {"vertices_per_second": 1.0 * v}
+        for m in methods
+        for v in (100, 1000)
+    )
+    modules = {name: estimators.module(name) for name in ("jet", "quadric")}
+    lines = throughput_plot(table, modules).axes[0].lines
+    jet, cubic, quadric, *_ = lines
+    shown = ["Jet", "Jet (degree=3)", "Quadric", "a peer", "copy"]
+    assert [line.get_label() for line in lines] == shown
+    assert jet.get_color() == cubic.get_color() == modules["jet"].STYLE["color"]
+    assert jet.get_marker() == cubic.get_marker()
+    assert jet.get_linestyle() != cubic.get_linestyle()
+    assert (quadric.get_color(), quadric.get_marker()) == ("#332288", "+")
+
+
 def test_exact_evaluation_has_its_rows():
     table = pd.DataFrame(exact_rows("sphere", scattered=20, side=6))
     assert list(table.arrangement) == ["scattered"] * 4 + ["grid"] * 2
