@@ -1,5 +1,6 @@
 # Two commands: `make` reproduces the whole study, `make test` runs the tests.
-# Both first build .venv from the hash-pinned requirements.lock.
+# Both first build .venv from the hash-pinned requirements.lock. `make peers` adds the libraries
+# behind curvlib/peers to it, `make test-peers` tests what these return.
 
 SHELL := /bin/sh
 PYTHON ?= python3
@@ -10,13 +11,18 @@ ifneq ($(shell mkdir -p "$$HOME/.cache" 2>/dev/null && echo yes),yes)
 export XDG_CACHE_HOME ?= $(CURDIR)/.venv/cache
 endif
 
-.PHONY: study test lint lock clean
+.PHONY: study test peers test-peers lint lock clean
 
 study: .venv/ready
 	snakemake
 
 test: .venv/ready lint
 	pytest
+
+peers: .venv/peers
+
+test-peers: .venv/peers
+	pytest tests/peers tests/dataset/test_readers.py
 
 lint: .venv/ready
 	ruff check .
@@ -36,10 +42,19 @@ lint: .venv/ready
 	python -c "import curvlib as c; c.estimate(c.tessellate(c.surface('sphere'), 8), c.estimators())"
 	touch .venv/ready
 
-# Rewrites the lock file after a change of the dependencies in pyproject.toml.
+.venv/peers: .venv/ready requirements-peers.lock
+	uv pip install --quiet --python .venv --require-hashes --compile-bytecode \
+		-r requirements-peers.lock
+	touch .venv/peers
+
+# Rewrites the lock files after a change of the dependencies in pyproject.toml. The second holds the
+# packages of the first, too: what is installed on top has to agree with them.
+COMPILE := uv pip compile --quiet --universal --generate-hashes --no-header --no-annotate \
+	--python-version 3.11 pyproject.toml
 lock: .venv/ready
-	uv pip compile --quiet --universal --generate-hashes --no-header --no-annotate --all-extras \
-		--python-version 3.11 pyproject.toml --output-file requirements.lock
+	$(COMPILE) --extra dataset --extra study --extra test --extra build \
+		--output-file requirements.lock
+	$(COMPILE) --all-extras --output-file requirements-peers.lock
 
 clean:
 	find results data -mindepth 1 ! -name README.md -delete
