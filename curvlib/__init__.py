@@ -10,10 +10,11 @@ integrated over a cell; undefined is NaN.
 
 import importlib
 
-# Importing a package binds its name here. These two must be bound before the functions of the
+# Importing a package binds its name here. These three must be bound before the functions of the
 # same names take their places.
-from . import estimators, surfaces
+from . import estimators, peers, surfaces
 from .catalogue import estimators as _estimators
+from .catalogue import peers as _peers
 from .catalogue import surfaces as _surfaces
 
 __version__ = "0.2.0"
@@ -36,9 +37,10 @@ _PUBLIC = {
     "weld": "meshes.mend",
 }
 
-__all__ = ["estimators", "surfaces", *_PUBLIC]
+__all__ = ["estimators", "peers", "surfaces", *_PUBLIC]
 
 estimators = _estimators.names  # noqa: F811
+peers = _peers.names  # noqa: F811
 surfaces = _surfaces.names  # noqa: F811
 
 

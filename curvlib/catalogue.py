@@ -1,4 +1,4 @@
-"""Catalogues of estimators and surfaces: the listing of a folder, one file each."""
+"""Catalogues of estimators, peers and surfaces: the listing of a folder, one file each."""
 
 import importlib
 import importlib.util
@@ -42,10 +42,17 @@ class Catalogue:
         >>> import curvlib
         >>> "gauss_bonnet" in curvlib.estimators()
         True
+        >>> "libigl_principal" in curvlib.peers()
+        True
         >>> "cone" in curvlib.surfaces()
         True
         """
         return sorted(p.stem for p in self.folder.glob("*.py") if not p.stem.startswith("_"))
+
+    def holds(self, name: str) -> bool:
+        """Whether a name is that of a file in the package, or a path; cheaper than to list all."""
+        ours = name.isidentifier() and name[0] != "_" and (self.folder / f"{name}.py").is_file()
+        return ours or _is_path(name)
 
     def path(self, name: str) -> Path:
         """The file behind a name; a path to a .py file outside the package is returned as it is.
@@ -203,4 +210,5 @@ def _in_one_line(error):
 
 
 estimators = Catalogue("estimator", "estimators", "estimate")
+peers = Catalogue("peer", "peers", "returned", "estimate")
 surfaces = Catalogue("surface", "surfaces", "LABEL", "build")

@@ -23,9 +23,9 @@ def estimate(mesh, estimator, threads: int = 1, per: str = "vertex", **options):
         of `normal="exact"`. Points that stand at one place, as readers leave them that split
         corners, are joined for the estimate as `curvlib.weld` does; values are at all of them.
     estimator : str, path, callable, or a list of them
-        A name in `curvlib.estimators()`, the path of a .py file like those in
-        `curvlib/estimators`, or a function with the signature of their `estimate`. The estimators
-        of a list share the rings or the adjacency.
+        A name in `curvlib.estimators()` or, for that of another library, in `curvlib.peers()`; the
+        path of a .py file like those in `curvlib/estimators`; or a function with the signature of
+        their `estimate`. The estimators of a list share the rings or the adjacency.
     threads : int
         Number of threads; values do not depend on it.
     per : {"vertex", "face"}
@@ -45,8 +45,8 @@ def estimate(mesh, estimator, threads: int = 1, per: str = "vertex", **options):
     Raises
     ------
     InputError
-        Unknown estimator or option, no triangle mesh, or an estimator that does not return
-        curvatures, or has none per face.
+        Unknown estimator or option, no triangle mesh, an estimator that does not return curvatures
+        or has none per face, or a peer whose library is not installed.
 
     Warns
     -----

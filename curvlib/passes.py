@@ -102,7 +102,22 @@ def run(mesh, tasks, threads) -> None:
         elif task.given == "mesh":
             every = np.arange(task.count, dtype=np.int32)
             with _quietly():
-                task.store(task.function(mesh, **task.arguments(mesh)), every, 0, len(every), 1.0)
+                task.store(_of_mesh(mesh, task), every, 0, len(every), 1.0)
+
+
+def _of_mesh(mesh, task):
+    """What an estimator of the mesh returns; InputError where a library is missing that its file
+    says it requires."""
+    try:
+        return task.function(mesh, **task.arguments(mesh))
+    except ImportError as error:
+        file = getattr(task.function, "__globals__", {})
+        if "REQUIRES" not in file:
+            raise
+        remedy = file.get("INSTALL", "`make peers` installs it")
+        raise InputError(
+            f"estimator {task.name!r} needs {file['REQUIRES']}: {error}; {remedy}"
+        ) from None
 
 
 def _over_rings(mesh, tasks, threads):

@@ -5,7 +5,7 @@ import inspect
 from collections.abc import Hashable
 from typing import get_args
 
-from .catalogue import estimators
+from .catalogue import estimators, peers
 from .errors import InputError, check_name
 from .kit.options import Geodesic, Length, Lengths, Option
 
@@ -24,9 +24,12 @@ def readings(estimator) -> dict[str, tuple]:
 
 
 def resolved(estimator):
-    """Name and function of an estimator: a name, a path, or the function itself."""
+    """Name and function of an estimator: a name, also of a peer, a path, or the function itself."""
     if callable(estimator) and isinstance(estimator, Hashable):
         return getattr(estimator, "__name__", "estimate"), estimator
+    if isinstance(estimator, str) and not estimators.holds(estimator):
+        check_name("estimator", estimator, [*estimators.names(), *peers.names()])
+        return estimator, peers.module(estimator).estimate
     return estimator, estimators.module(estimator).estimate
 
 

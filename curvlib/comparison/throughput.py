@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from curvlib.catalogue import estimators
+from curvlib.catalogue import estimators, peers
 from curvlib.estimation import estimate
 from curvlib.meshes.torus import torus
 
@@ -26,42 +26,11 @@ SECONDS, RUNS = 3.0, 9  # a method is run until one of these is reached, at leas
 LONGEST = 60.0  # seconds of a run; a mesh on which it would take longer is left out
 
 
-def _igl(function):
-    import igl
-
-    return lambda vertices, faces, threads: getattr(igl, function)(vertices, faces)
-
-
-def _vtk():
-    import pyvista
-
-    def run(vertices, faces, threads):
-        mesh = pyvista.PolyData.from_regular_faces(vertices, faces)
-        return mesh.curvature("gaussian"), mesh.curvature("mean")
-
-    return run
-
-
-def _meshlab():
-    import pymeshlab
-
-    def run(vertices, faces, threads):
-        meshes, values = pymeshlab.MeshSet(), []
-        meshes.add_mesh(pymeshlab.Mesh(vertices, faces.astype(np.int32)))
-        for kind in ("Gaussian Curvature", "Mean Curvature"):
-            meshes.compute_scalar_by_discrete_curvature_per_vertex(curvaturetype=kind)
-            values.append(meshes.current_mesh().vertex_scalar_array())
-        return values
-
-    return run
-
-
-def _trimesh():
-    import trimesh
-
-    return lambda vertices, faces, threads: (
-        trimesh.Trimesh(vertices, faces, process=False).vertex_defects
-    )
+def _peer(name):
+    """The library's call alone, without the conversion of what it returns."""
+    returned = peers.module(name).returned
+    returned(*torus(8, "regular"))  # ImportError where it is not installed
+    return lambda vertices, faces, threads: returned(vertices, faces)
 
 
 def _ours(call):
@@ -73,11 +42,11 @@ def _ours(call):
 
 # Each value makes a function of (vertices, faces, threads), or raises ImportError.
 PEERS = {
-    REFERENCE: lambda: _igl("gaussian_curvature"),
-    "libigl principal_curvature": lambda: _igl("principal_curvature"),
-    "VTK K and H": _vtk,
-    "MeshLab K and H": _meshlab,
-    "trimesh vertex_defects": _trimesh,
+    REFERENCE: lambda: _peer("libigl_defects"),
+    "libigl principal_curvature": lambda: _peer("libigl_principal"),
+    "VTK K and H": lambda: _peer("vtk_curvatures"),
+    "MeshLab K and H": lambda: _peer("meshlab_discrete"),
+    "trimesh vertex_defects": lambda: _peer("trimesh_defects"),
 }
 # Upper bounds on throughput: six arctangents a vertex, or one copy of the input.
 LIMITS = {

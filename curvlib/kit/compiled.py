@@ -203,11 +203,19 @@ def _folder():
         if re.search(rb"\bcompiled import\b|\bnumba\b", source):
             code.update(source)
     try:
-        base = config.CACHE_DIR or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+        return cache_folder() / code.hexdigest()[:16]
     except RuntimeError as error:
         _warn(error)
         return None
-    return Path(base, "curvlib", code.hexdigest()[:16])
+
+
+def cache_folder() -> Path:
+    """Where compiled code is kept: `curvlib` in NUMBA_CACHE_DIR, XDG_CACHE_HOME or ~/.cache.
+
+    Raises RuntimeError where there is no home folder.
+    """
+    base = config.CACHE_DIR or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    return Path(base, "curvlib")
 
 
 @functools.cache

@@ -1,0 +1,24 @@
+"""trimesh: angle defects."""
+
+from curvlib.peers._turned import cells, over_used, where_closed
+
+LABEL = "trimesh, angle defect"
+SOURCE = "https://trimesh.org/trimesh.curvature.html#trimesh.curvature.vertex_defects"
+REQUIRES = "trimesh"
+RETURNS = "integrated"
+SIGN = None
+BOUNDARY = "as closed"
+ORDER = None
+
+
+def returned(vertices, faces):
+    """The defects, 2 pi minus the sum of the angles; no H."""
+    import trimesh
+
+    return trimesh.Trimesh(vertices, faces, process=False).vertex_defects, None
+
+
+def estimate(mesh):
+    """K as the defect over the barycentric cell; NaN where the triangles close to no ring."""
+    K, _ = over_used(returned, mesh)
+    return where_closed(mesh, K / cells(mesh), None)
