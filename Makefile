@@ -52,7 +52,7 @@ lint: .venv/ready
 COMPILE := uv pip compile --quiet --universal --generate-hashes --no-header --no-annotate \
 	--python-version 3.11 pyproject.toml
 lock: .venv/ready
-	$(COMPILE) --extra dataset --extra study --extra test --extra build \
+	$(COMPILE) --extra dataset --extra files --extra study --extra test --extra build \
 		--output-file requirements.lock
 	$(COMPILE) --all-extras --output-file requirements-peers.lock
 
