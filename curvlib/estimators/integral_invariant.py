@@ -11,6 +11,7 @@ from curvlib.kit.vectors import divide, norm, tangents
 LABEL = "Integral invariant"
 SOURCE = "https://doi.org/10.1016/j.cagd.2008.01.002"
 STYLE = {"color": "#882255", "marker": "P", "linestyle": "-"}
+BOUNDED = "behind an edge of the boundary there is no solid"
 
 
 @kernel

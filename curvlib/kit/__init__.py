@@ -12,6 +12,7 @@ curvlib, and names and meaning here do not change between minor versions.
 `disk`      a vertex and its neighbours over some rings, or within a length
 `ball`      the triangles within a length of a vertex, cut where they leave it
 `cut`       segments and triangles within a ball
+`solid`     moments of the solid that the triangles of a ball bound
 `polynomial` a polynomial fitted to a disk, by normal equations
 `lanes`     rows of a matrix as vectors: dot products, projections, elimination
 `parts`     parts of an array as arrays of another shape

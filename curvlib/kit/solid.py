@@ -39,13 +39,13 @@ second : tuple of 6 floats
     int x x^T dV: xx, xy, xz, yy, yz, zz.
 """
 
-# Arcs that end before they begin, and edges of the boundary that touch the sphere, do so by rounding
-# if they are shorter than this part of the radius.
+# Arcs that end before they begin, and edges of the boundary that touch the sphere, do so by
+# rounding if they are shorter than this part of the radius.
 ROUNDING = 1e-7
 
 _Sums = namedtuple("_Sums", "volume first second angle re im")
-_Sums.__doc__ = """Over faces: 2 int h dA, int m u dA, symmetric part of int u x m^T dA (xx, xy, xz, yy,
-yz, zz); over arcs: (1 - h / r) phi, and the product of complex numbers."""
+_Sums.__doc__ = """Sums over faces: 2 int h dA, int m u dA, the symmetric part of int u x m^T dA as
+in a Solid; over arcs: (1 - h / r) phi, and the product of complex numbers."""
 
 
 @kernel
