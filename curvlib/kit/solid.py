@@ -161,11 +161,12 @@ def _chord(a, b, at_a, at_b, forward):
     d = add(b, -1.0, a)
     square, slope = dot(d, d), dot(a, d)
     power = slope * slope - square * at_a
-    meets = at_a < 0 or at_b < 0 or (power > 0 and -square < slope < 0)
+    if not (at_a < 0 or at_b < 0 or (power > 0 and -square < slope < 0)):
+        return False, 0.0, 0.0
     root = math.sqrt(max(power, 0.0))
-    start = 0.0 if at_a < 0 or not meets else min(max((-slope - root) / square, 0.0), 1.0)
-    end = 1.0 if at_b < 0 or not meets else min(max((-slope + root) / square, 0.0), 1.0)
-    return (meets, start, end) if forward else (meets, 1 - end, 1 - start)
+    start = 0.0 if at_a < 0 else min(max((-slope - root) / square, 0.0), 1.0)
+    end = 1.0 if at_b < 0 else min(max((-slope + root) / square, 0.0), 1.0)
+    return (True, start, end) if forward else (True, 1 - end, 1 - start)
 
 
 @kernel
