@@ -40,20 +40,20 @@ def estimate(ball, radius: Length = "5 edges"):
 
     Notes
     -----
-    The covariance about the barycentre is the same in X and Y. In the mean over a torus, its
-    eigenvectors miss the directions by more than those in this plane (by 5.2 instead of 2.9 degrees
-    where r is 0.8 radii of the tube), and its eigenvalues give the same curvatures.
+    The covariance about the barycentre is the same in X and Y. The paper takes its eigenvectors,
+    which lie farther from the tangent plane (on a torus by 0.86 instead of 0.71 degrees, r being
+    0.6 radii of the tube); the eigenvalues give the same curvatures to 1 per cent.
 
-    The volume is V = 2 pi r^3 / 3 - pi r^4 H / 4, exact on spheres, where k1 = k2 =
-    (1 - r^2 / 16 R^2) / R. H is that of M nevertheless, since an error e of the vertex along the
-    normal changes it by 3 e / r^2, but the H of V by 4 e / r^2. So M is the better where
-    coordinates are not exact, and on meshes inscribed in a surface, on which the vertices stand out
-    from the solid: at a distance h of vertices K and H are too large by about 3 h^2 / 8 r^2 and
-    twice that of their values, 1.5 and 3 per cent for 5 edges.
+    The volume is V = 2 pi r^3 / 3 - pi r^4 H / 4, exact on spheres, where M gives
+    k1 = k2 = (1 - r^2 / 16 R^2) / R. H is that of M nevertheless: an error e of the vertex along
+    its normal changes it by 3 e / r^2, and the H of V by 4 e / r^2. So M is the better where
+    coordinates are not exact, and on meshes inscribed in a surface, where vertices stand out from
+    the solid: with edges of length h, H is too large by the part 3 h^2 / 8 r^2 and K by twice that,
+    1.5 and 3 per cent for 5 edges.
 
-    Order: O(r^2 + h^2 / r^2) where vertices lie on the surface, so O(h) for r^2 of the order of h
-    (measured), and none for r in edges; O(r) for solids that converge in volume (Pottmann, Wallner,
-    Yang, Lai, Hu 2007).
+    Order: O(r) for the solid of a smooth surface (Pottmann, Wallner, Yang, Lai, Hu 2007); on meshes
+    with vertices on the surface O(r^2 + h^2 / r^2), measured, so O(h) for r^2 = h and none for r in
+    edges.
 
     Source: Pottmann, Wallner, Huang, Yang (2009), Integral invariants for robust geometry
     processing; the covariance of digital shapes: Coeurjolly, Lachaud, Levallois (2014),

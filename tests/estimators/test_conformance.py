@@ -185,6 +185,7 @@ class TestConformance:
         chosen = {} if normal == "default" else {"normal": normal}
         if chosen and "normal" not in readings(name):
             return
+        chosen |= lengths(name, ellipsoid)
         a, b, c = ellipsoid.faces[100]
         for place in (
             ellipsoid.vertices[b],
