@@ -25,6 +25,7 @@ import math
 from collections import namedtuple
 
 from .compiled import kernel
+from .cut import ROUNDING, cut_triangle
 from .vectors import add, at, cross, divide, dot, norm
 
 Solid = namedtuple("Solid", "volume first second")
@@ -38,10 +39,6 @@ first : tuple of 3 floats
 second : tuple of 6 floats
     int x x^T dV: xx, xy, xz, yy, yz, zz.
 """
-
-# Arcs that end before they begin, and edges of the boundary that touch the sphere, do so by
-# rounding if they are shorter than this part of the radius.
-ROUNDING = 1e-7
 
 _Sums = namedtuple("_Sums", "volume first second angle re im")
 _Sums.__doc__ = """Sums over faces: 2 int h dA, int m u dA, the symmetric part of int u x m^T dA as
@@ -76,17 +73,13 @@ def solid(ball):
             for n in range(3):
                 open_edges += across[n, k] < 0
         else:
-            chords = (
-                _chord(a, b, u[0], u[1], i < j),
-                _chord(b, c, u[1], u[2], j < l),
-                _chord(c, a, u[2], u[0], l < i),
-            )
+            found = cut_triangle((a, b, c), u, (i < j, j < l, l < i), r)
             for n in range(3):
                 if across[n, k] < 0:
                     p, q = (a, b, c)[n], (b, c, a)[n]
-                    length = (chords[n][2] - chords[n][1]) * norm(add(q, -1.0, p))
+                    length = (found.chords[n].end - found.chords[n].start) * norm(add(q, -1.0, p))
                     open_edges += length > ROUNDING * r
-            sums = _part(sums, (a, b, c), u, chords, ball.normal, r)
+            sums = _part(sums, (a, b, c), u, found, ball.normal, r)
             cut += 1
     return _moments(sums, r if open_edges == 0 and cut > 0 else math.nan)
 
@@ -145,112 +138,57 @@ def _symmetric(sums, x, a, b):
 
 
 @kernel
-def _chord(a, b, at_a, at_b, forward):
-    """Whether the edge from a to b meets the open ball, and where it enters and leaves it, 0 to 1.
-
-    Parameters
-    ----------
-    a, b : tuple of 3 floats
-    at_a, at_b : float
-        u there.
-    forward : bool
-        The two triangles at the edge differ in it, so that they get the same chord.
-    """
-    if not forward:
-        a, b, at_a, at_b = b, a, at_b, at_a
-    d = add(b, -1.0, a)
-    square, slope = dot(d, d), dot(a, d)
-    power = slope * slope - square * at_a
-    if not (at_a < 0 or at_b < 0 or (power > 0 and -square < slope < 0)):
-        return False, 0.0, 0.0
-    root = math.sqrt(max(power, 0.0))
-    start = 0.0 if at_a < 0 else min(max((-slope - root) / square, 0.0), 1.0)
-    end = 1.0 if at_b < 0 else min(max((-slope + root) / square, 0.0), 1.0)
-    return (True, start, end) if forward else (True, 1 - end, 1 - start)
-
-
-@kernel
-def _part(sums, corners, u, chords, pole, r):
+def _part(sums, corners, u, found, pole, r):
     """Add a triangle that the sphere cuts: integrals along its edges, and arcs between them."""
-    a = corners[0]
-    f = cross(add(corners[1], -1.0, a), add(corners[2], -1.0, a))
-    double = math.sqrt(dot(f, f))
-    if double == 0:
+    twice, m, h, chords, arcs, area = found
+    if twice == 0:
         return sums
-    m = divide(f, double)
-    h = dot(a, m)
-    area = power = turn = 0.0
-    along, re, im = (0.0, 0.0, 0.0), sums.re, sums.im
+    power, along = 0.0, (0.0, 0.0, 0.0)
     for n in range(3):
-        meets, start, end = chords[n]
-        if not meets:
-            continue
         after = (n + 1) % 3
         p, d = corners[n], add(corners[after], -1.0, corners[n])
-        chord = add((0.0, 0.0, 0.0), end - start, d)
-        out = cross(chord, m)
-        reach = dot(p, out)
-        before, to = min(u[n], 0.0), min(u[after], 0.0)
-        both, square = before + to, dot(chord, chord)
-        area += reach
-        power += reach * (both / 2 - square / 6)
-        fourth = (before * before + before * to + to * to) / 3 + square * (square / 30 - both / 6)
+        d = add((0.0, 0.0, 0.0), chords[n].end - chords[n].start, d)
+        out = cross(d, m)
+        start, end = min(u[n], 0.0), min(u[after], 0.0)
+        both, square = start + end, dot(d, d)
+        power += dot(p, out) * (both / 2 - square / 6)
+        fourth = (start * start + start * end + end * end) / 3 + square * (square / 30 - both / 6)
         along = add(along, fourth / 4, out)
-        if u[after] >= 0:
-            # The arc leads to the next edge that enters the ball, or back to this one.
-            other = after
-            while not (chords[other][0] and u[other] >= 0):
-                other = (other + 1) % 3
-            e = add(corners[(other + 1) % 3], -1.0, corners[other])
-            x, y = add(p, end, d), add(corners[other], chords[other][1], e)
-            most = other == n and reach > 0
-            arc, re, im = _arc(x, y, m, h, r, most, double, pole, re, im)
-            turn += arc
-    s = r * r - h * h
-    area = (area + s * turn) / 2
-    power = power / 4 - s * area / 2
+    power = power / 4 - (r * r - h * h) * area / 2
+    angle, re, im = sums.angle, sums.re, sums.im
+    for n in range(3):
+        if arcs[n].angle != 0:
+            re, im = _triangles(arcs[n], m, h, pole, r, re, im)
+            angle += (1 - h / r) * arcs[n].angle
     return _Sums(
         sums.volume + 2 * h * area,
         add(sums.first, power, m),
         _symmetric(sums.second, 1.0, add(along, h * power, m), m),
-        sums.angle + (1 - h / r) * turn,
+        angle,
         re,
         im,
     )
 
 
 @kernel
-def _arc(x, y, m, h, r, most, double, pole, re, im):
-    """The angle of the arc from x to y around m, and the product of complex numbers with those of
-    its triangles.
-
-    Parameters
-    ----------
-    most : bool
-        Whether it is more than half of the circle, its ends being on one edge.
-    double : float
-        Twice the area of the triangle, of which such an arc takes a part.
-    """
+def _triangles(arc, m, h, pole, r, re, im):
+    """The product of complex numbers with those of the triangles of an arc."""
+    turn, x, y = arc
     x0, y0 = add(x, -h, m), add(y, -h, m)
-    turn = math.atan2(dot(m, cross(x0, y0)), dot(x0, y0))
-    large = double > 3 * (r * r - h * h)
-    if large and (turn < -ROUNDING or (most and turn < 1)):
-        turn += 2 * math.pi
     # Triangles are small: one between opposite points would be none.
     pieces = 1 + int(abs(turn))
-    quarter, centre, z0 = cross(m, x0), add((0.0, 0.0, 0.0), h, m), x0
+    quarter, centre, z, z0 = cross(m, x0), add((0.0, 0.0, 0.0), h, m), x, x0
     for n in range(1, pieces + 1):
-        w0, x, z0, z = z0, add(centre, 1.0, z0), y0, y
+        w, w0, z, z0 = z, z0, y, y0
         if n < pieces:
             step = n * turn / pieces
             z0 = add(add((0.0, 0.0, 0.0), math.cos(step), x0), math.sin(step), quarter)
             z = add(centre, 1.0, z0)
-        normal = cross(x, z)
-        a, b = r * (r + dot(pole, x) + dot(pole, z)) + dot(x, z), dot(pole, normal)
+        a, b = r * (r + dot(pole, w) + dot(pole, z)) + dot(w, z), dot(pole, cross(w, z))
         c, d = (r + h) ** 2 + dot(w0, z0), dot(m, cross(w0, z0))
         # (a + b i) (c - d i)
         a, b = a * c + b * d, b * c - a * d
         re, im = re * a - im * b, re * b + im * a
         size = abs(re) + abs(im)
         re, im = re / size, im / size
-    return turn, re, im
+    return re, im
