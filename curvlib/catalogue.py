@@ -12,7 +12,7 @@ from types import SimpleNamespace
 from curvlib.errors import InputError, check_name
 
 # Styles of estimators that name none: colours and markers that no file of the package has.
-COLOURS = ("#56B4E9", "black", "#882255", "#999933")
+COLOURS = ("#A6761D", "#66A61E", "#E7298A", "#7570B3")
 MARKERS = ("*", "p", "h", "d", "8")
 LINES = ("-", "--", ":")
 

@@ -192,13 +192,16 @@ def within(offsets, neighbours, vertices, v, radius, stamps, found, hops):
         if count + offsets[u + 1] - offsets[u] > len(found):
             return -1
         for j in range(offsets[u], offsets[u + 1]):
-            w = neighbours[j]
-            a = (vertices[w, 0] - x) / radius
-            b = (vertices[w, 1] - y) / radius
-            c = (vertices[w, 2] - z) / radius
-            if stamps[w] != mark and a * a + b * b + c * c <= 1:
-                found[count], hops[count], stamps[w] = w, hop, mark
-                count += 1
+            w = np.uint64(neighbours[j])
+            if stamps[w] != mark:
+                # Marked also where it is too far, to be looked at once.
+                stamps[w] = mark
+                a = (vertices[w, 0] - x) / radius
+                b = (vertices[w, 1] - y) / radius
+                c = (vertices[w, 2] - z) / radius
+                if a * a + b * b + c * c <= 1:
+                    found[count], hops[count] = w, hop
+                    count += 1
         if at == count:
             return count
         u, hop = found[at], min(hops[at] + 1, 255)
