@@ -13,7 +13,7 @@ from curvlib.errors import InputError, check_name
 
 # Styles of estimators that name none: colours and markers that no file of the package has.
 COLOURS = ("#A6761D", "#66A61E", "#E7298A", "#7570B3")
-MARKERS = ("*", "p", "h", "d", "8")
+MARKERS = ("1", "2", "3", "4", "H")
 LINES = ("-", "--", ":")
 
 

@@ -7,8 +7,11 @@ from curvlib.signatures import Signature, resolved
 
 # Further options by estimator.
 FURTHER = {
+    "ball_regression": [{"radius": "3 edges"}],
     "jet": [{"degree": 3}, {"degree": 4, "rings": 3}, {"degree": 6, "rings": 3}],
+    "pooled_deficit": [{"rings": 3}],
     "quadric": [{"rings": 3}],
+    "tensor_voting": [{"directions": "fitted"}],
 }
 
 
