@@ -14,6 +14,7 @@ curvlib, and names and meaning here do not change between minor versions.
 `cut`       segments and triangles within a ball
 `solid`     moments of the solid that the triangles of a ball bound
 `polynomial` a polynomial fitted to a disk, by normal equations
+`reweighted` a quadric fitted to most points of a disk
 `lanes`     rows of a matrix as vectors: dot products, projections, elimination
 `parts`     parts of an array as arrays of another shape
 `options`   types of options
