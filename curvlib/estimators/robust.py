@@ -26,7 +26,7 @@ from curvlib.kit.vectors import add, divide, norm, tangents
 
 LABEL = "Robust quadric"
 SOURCE = "https://doi.org/10.1214/aos/1176350366"
-STYLE = {"color": "#999933", "marker": "H", "linestyle": "-"}
+STYLE = {"color": "#999933", "marker": "*", "linestyle": "-"}
 
 INDEX = 26  # a row behind those of the fit
 # Residuals of more scales than this have no weight: 95 % efficient under Gaussian noise. The last
