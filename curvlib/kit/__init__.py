@@ -13,6 +13,7 @@ curvlib, and names and meaning here do not change between minor versions.
 `ball`      the triangles within a length of a vertex, cut where they leave it
 `cut`       segments and triangles within a ball
 `solid`     moments of the solid that the triangles of a ball bound
+`measures`  curvature measures of triangles, dihedral angles of edges
 `polynomial` a polynomial fitted to a disk, by normal equations
 `reweighted` a quadric fitted to most points of a disk
 `lanes`     rows of a matrix as vectors: dot products, projections, elimination

@@ -74,7 +74,8 @@ def assert_estimates(found, expected, tolerance=1e-9):
 class TestConformance:
     def test_unit_sphere(self, name):
         """K = H = 1 on nearly equilateral triangles with outward faces: to four per cent, but
-        for the twelve vertices of valence five, where methods by area are off by 15 at any n."""
+        for the twelve vertices of valence five, where methods by area are off by 15 at any n, and
+        K = k1 k2 by as much in each."""
         ball = pyvista.Icosphere(radius=1, nsub=4)
         found = curvlib.estimate((ball.points.astype(float), ball.regular_faces), name)
         assert "K" in found.returned or "H" in found.returned
@@ -84,7 +85,7 @@ class TestConformance:
             off = np.sort(np.abs(values - 1))
             assert np.median(off) < (0.005 if GIVEN[name] == "ring" else 0.02)
             assert off[-13] < 0.04
-            assert off[-1] < 0.15
+            assert off[-1] < (1.15**2 - 1 if quantity == "K" else 0.15)
 
     @pytest.mark.parametrize("radius", [1e-150, 1e-40, 0.01, 0.3, 7, 100, 1e40, 1e150])
     def test_scale(self, name, sphere, radius):
