@@ -8,7 +8,9 @@ from curvlib.signatures import Signature, resolved
 # Further options by estimator.
 FURTHER = {
     "ball_regression": [{"radius": "3 edges"}],
+    "corrected_measures": [{"radius": "3 edges"}, {"normals": "fit", "radius": "3 edges"}],
     "jet": [{"degree": 3}, {"degree": 4, "rings": 3}, {"degree": 6, "rings": 3}],
+    "normal_cycle": [{"radius": "3 edges"}],
     "pooled_deficit": [{"rings": 3}],
     "quadric": [{"rings": 3}],
     "tensor_voting": [{"directions": "fitted"}],

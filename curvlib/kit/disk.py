@@ -8,6 +8,8 @@ from collections import namedtuple
 
 import numpy as np
 
+from curvlib.errors import InputError
+
 from .compiled import kernel
 from .lanes import LANES
 from .parts import part
@@ -38,7 +40,7 @@ normal : tuple of 3 floats
     Unit mean of the normals of the triangles at v, weighted by area; NaN where they cancel, as
     `star_normal` says.
 exact_normal : tuple of 3 floats
-    The unit normal that the mesh has at the vertex; NaN where it has none.
+    The unit normal that the mesh has at the vertex; infinite for a mesh without normals.
 area : float
     A third of the area of the triangles at v.
 radius : float
@@ -115,6 +117,29 @@ def gather(vertices, v, found, hops, distances, count, star, unit, space):
     lengths = part(distances, 0, (min(n, len(distances)),))
     radius = np.sqrt(farthest)
     return Disk(e, weights, part(hops, 0, (n,)), lengths, *star, radius, count, rows, rest)
+
+
+@kernel
+def given_normal(disk):
+    """The unit normal that the mesh has at the vertex.
+
+    Parameters
+    ----------
+    disk : Disk
+
+    Returns
+    -------
+    tuple of 3 floats
+        NaN where the surface has none.
+
+    Raises
+    ------
+    InputError
+        The mesh has no normals.
+    """
+    if disk.exact_normal[0] == np.inf:
+        raise InputError("normals='given' needs a mesh with normals; this one has none")
+    return disk.exact_normal
 
 
 @kernel

@@ -155,7 +155,7 @@ def make_ball(reach, scratch, v, count):
 def _star(reach, v):
     """The normal of a vertex, that which the mesh has, a third of its area, whether it is closed;
     those of a triangle."""
-    exact = np.nan, np.nan, np.nan
+    exact = np.inf, np.inf, np.inf
     if len(reach.normals) > 0:
         exact = reach.normals[v, 0], reach.normals[v, 1], reach.normals[v, 2]
     if len(reach.areas) > 0:
