@@ -24,6 +24,8 @@ between 0 and that of the ball, which settles the multiple.
 import math
 from collections import namedtuple
 
+import numpy as np
+
 from .compiled import kernel
 from .cut import ROUNDING, cut_triangle
 from .vectors import add, at, cross, divide, dot, norm
@@ -90,7 +92,7 @@ def _moments(sums, r):
     cube = r * r * r
     volume = sums.volume / 2 - cube * (sums.angle + 2 * math.atan2(sums.im, sums.re))
     ball = 4 * math.pi * cube
-    volume -= ball * math.floor(volume / ball)
+    volume -= ball * np.floor(volume / ball)
     xx, xy, xz, yy, yz, zz = sums.second
     if math.isnan(volume):
         nan = (math.nan, math.nan, math.nan)

@@ -55,7 +55,8 @@ from curvlib.meshes.torus import torus
 mesh = torus(6, "irregular")
 from curvlib.catalogue import estimators
 function = estimators.module(sys.argv[1]).estimate
-print(curvlib.__file__, curvlib.estimate(mesh, sys.argv[1]).K.sum())
+K = curvlib.estimate(mesh, sys.argv[1]).K
+print(curvlib.__file__, K[K == K].sum())
 stats = getattr(function, "stats", None)
 print(sum(stats.cache_hits.values()) if stats else "none")
 """
@@ -237,6 +238,6 @@ def test_the_state_of_the_package_is_that_of_files_that_import_compiled(tmp_path
 
 @pytest.mark.parametrize("name", curvlib.estimators())
 def test_compiled_code_is_python_too(run, name):
-    mesh = torus(6, "irregular")
-    expected = pytest.approx(curvlib.estimate(mesh, name).K.sum(), rel=1e-9)
+    K = curvlib.estimate(torus(6, "irregular"), name).K
+    expected = pytest.approx(K[K == K].sum(), rel=1e-9)
     assert run(name, NUMBA_DISABLE_JIT="1") == (expected, "none")
