@@ -29,7 +29,9 @@ def check_name(what: str, name: str, valid, where: str = "") -> None:
     # An array would be compared element by element.
     if isinstance(name, Hashable) and name in valid:
         return
-    near = get_close_matches(name, valid, n=1, cutoff=0.0) if isinstance(name, str) else ()
+    names = [v for v in valid if isinstance(v, str)]
+    near = get_close_matches(name, names, n=1, cutoff=0.0) if isinstance(name, str) else ()
     hint = f"did you mean {near[0]!r}? " if near else ""
     place = f"{where}: " if where else ""
-    raise InputError(f"{place}unknown {what} {name!r}; {hint}valid: {', '.join(map(str, valid))}")
+    listed = ", ".join(map(str, valid)) or "none"
+    raise InputError(f"{place}unknown {what} {name!r}; {hint}valid: {listed}")

@@ -197,15 +197,31 @@ def _field(mesh, graph, signature, chosen, threads):
         if field is not None:
             index = np.vstack((at[start:end], neighbours[:, start:end]))
             given.append(np.ascontiguousarray(field.T[:, index]))
-        found.append((at[start:end], np.stack(beside.function(*given, **options))))
+        found.append((at[start:end], _components(beside, given, options, end - start)))
 
     _each_ring(mesh, work, threads)
     # Without rings it is not known how many components there are.
-    components = max((len(x) for _, x in found), default=WIDEST)
+    components = len(found[0][1]) if found else WIDEST
+    if any(len(x) != components for _, x in found):
+        raise InputError(f"{beside.name!r} returns different numbers of components")
     values = np.full((len(mesh.vertices), components), np.nan)
     for vertices, x in found:
         values[vertices] = x.T
     return values
+
+
+def _components(beside, given, options, count):
+    """The components (c, count) that a function of rings returns; InputError for anything else."""
+    returned = beside.function(*given, **options)
+    try:
+        found = np.array(returned, dtype=float)
+    except (TypeError, ValueError):
+        found = np.empty(0)
+    if found.ndim != 2 or found.shape[1] != count:
+        raise InputError(f"{beside.name!r} has to return a tuple of arrays ({count},) of float64")
+    if len(found) > WIDEST:
+        raise InputError(f"{beside.name!r} has more than {WIDEST} components")
+    return found
 
 
 def _blocks(rings):

@@ -3,6 +3,7 @@
 import functools
 import inspect
 from collections.abc import Hashable
+from numbers import Integral
 from typing import get_args
 
 from .catalogue import estimators, peers
@@ -56,17 +57,22 @@ class Signature:
 
     @staticmethod
     @functools.cache
-    def of(name, function) -> "Signature":
-        """The Signature of a function, InputError where it is not one of an estimator's."""
-        return Signature(name, function)
+    def of(name, function, above=()) -> "Signature":
+        """The Signature of a function, InputError where it is not one of an estimator's.
 
-    def __init__(self, name, function):
+        `above`: the functions whose field it is, directly or through others.
+        """
+        return Signature(name, function, above)
+
+    def __init__(self, name, function, above=()):
         self.name, self.function, self.field = name, function, None
         self.per = _globals(function).get("PER", ("vertex",))
         try:
-            parameters = list(inspect.signature(function).parameters.values())
-        except ValueError as error:  # of a builtin
+            # Annotations may be text: `from __future__ import annotations`.
+            signature = inspect.signature(function, eval_str=True)
+        except (ValueError, NameError, SyntaxError) as error:  # of a builtin; of an annotation
             raise InputError(f"estimator {name!r}: {error}") from None
+        parameters = list(signature.parameters.values())
         first = parameters[0] if parameters else None
         if first is None or first.kind not in (
             first.POSITIONAL_ONLY,
@@ -78,18 +84,30 @@ class Signature:
         check_name("first parameter", first.name, GIVEN, f"estimator {name!r}")
         self.given, rest = first.name, parameters[1:]
         if rest and rest[0].default is first.empty and rest[0].kind == first.kind:
-            self.field, rest = self._beside(rest[0].name), rest[1:]
+            self.field, rest = self._beside(rest[0].name, (*above, function)), rest[1:]
         self.geodesic = any(p.annotation is Geodesic for p in rest)
         self.options = {p.name: self._values(p) for p in rest}
+        below = self
+        while "face" in self.per and below:
+            if below.given in ("ring", "ball"):
+                raise InputError(
+                    f"estimator {name!r}: PER names 'face', but {below.name!r} is given a "
+                    f"{below.given}; around a triangle's centre there are disks alone"
+                )
+            below = below.field
 
-    def _beside(self, name):
+    def _beside(self, name, above):
         beside = _globals(self.function).get(name)
+        if callable(beside) and beside in above[:-1]:
+            raise InputError(f"estimator {self.name!r}: field {name!r} would need itself")
         if not callable(beside) or beside is self.function:
             raise InputError(
                 f"estimator {self.name!r}: option {name!r} has no default, and there is no "
                 "function of this name beside it, to be run over all vertices first"
             )
-        return Signature.of(f"{name} of {self.name}", beside)
+        field = Signature.of(f"{name} of {self.name}", beside, above)
+        check_name("first parameter", field.given, GIVEN[:-1], f"estimator {field.name!r}")
+        return field
 
     def _values(self, p):
         if p.kind != p.POSITIONAL_OR_KEYWORD or p.default is p.empty:
@@ -99,8 +117,23 @@ class Signature:
                 f"estimator {self.name!r}: no option can be called {p.name!r}; rename it"
             )
         if p.annotation in (Length, Geodesic):
-            return Lengths((p.default,))
-        return p.default, *(v for v in get_args(p.annotation) if v != p.default)
+            lengths = Lengths((p.default,))
+            if p.default is not None and p.default not in lengths:
+                raise InputError(f"estimator {self.name!r}: {p.name}={p.default!r} is no length")
+            return lengths
+        values = p.default, *(v for v in get_args(p.annotation) if v != p.default)
+        if self.given in ("disk", "ball") and p.name == "radius":
+            raise InputError(
+                f"estimator {self.name!r}: option 'radius' has to be annotated as "
+                "curvlib.kit.options.Length"
+            )
+        if self.given == "disk" and p.name == "rings":
+            for value in values:
+                if not isinstance(value, Integral) or value < 1:
+                    raise InputError(
+                        f"estimator {self.name!r}: rings={value!r} is no number of at least 1"
+                    )
+        return values
 
     def chosen(self, options) -> dict:
         """All options, defaults included: Numba compiles anew for each set of keywords.

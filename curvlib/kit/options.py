@@ -70,7 +70,7 @@ def _amount(value):
         return None
     try:
         amount = float(value)
-    except (TypeError, ValueError):
+    except (OverflowError, TypeError, ValueError):
         return None
     return (amount, of_edges) if 0 < amount < math.inf else None
 

@@ -3,6 +3,7 @@
 import functools
 
 import numpy as np
+from numba.core.errors import NumbaError
 
 from curvlib.errors import InputError
 from curvlib.kit.compiled import compiled, kernel
@@ -16,6 +17,7 @@ from .values import NONE, UNDEFINED, gather_field, numbers, padded, returns, sca
 
 # Vertices that a thread takes at a time.
 BLOCK = 2048
+RETURNS = "has to return K and H, or curvlib.kit.tensor.Curvatures"
 
 
 class Neighbourhoods:
@@ -53,12 +55,11 @@ class Neighbourhoods:
         count = len(self._reach.vertices)
         # Memory of those that the function does not return is never touched.
         out = Curvatures(*(np.empty(count) for _ in range(4)), *np.empty((2, count, 3)))
-        given = self._run(
-            _estimates(function, field is None, *self._kind), out, options, field, threads
-        )
+        loop = _estimates(function, field is None, *self._kind)
+        given = self._run(loop, f"an estimator {RETURNS}", out, options, field, threads)
         returned = np.any([NONE, *given], axis=0)
         if returned[2] != returned[3]:
-            raise InputError("an estimator has to return K and H, or curvlib.kit.tensor.Curvatures")
+            raise InputError(f"an estimator {RETURNS}")
         found = {name: x for name, x, there in zip(out._fields, out, returned) if there}
         for block in np.flatnonzero(~np.any(given, axis=1)) if found else ():
             for x in found.values():
@@ -70,9 +71,12 @@ class Neighbourhoods:
         disk; (V, 0) where there is none at all. Parameters as those of `estimates`."""
         out = np.full((len(self._reach.vertices), WIDEST), np.nan)
         loop = _field(function, field is None, *self._kind)
-        return out[:, : max(self._run(loop, out, options, field, threads), default=0)]
+        rule = f"{function.__name__!r} has to return a tuple of numbers"
+        return out[:, : max(self._run(loop, rule, out, options, field, threads), default=0)]
 
-    def _run(self, loop, out, options, field, threads):
+    def _run(self, loop, rule, out, options, field, threads):
+        """What the loop returns for each block; InputError with the `rule` where the function
+        cannot be compiled in it."""
         count, idle = len(self._reach.vertices), []
 
         def work(start):
@@ -82,7 +86,11 @@ class Neighbourhoods:
                 memory = scratch(self._reach, self._length, BLOCK)
             end, returned = min(start + BLOCK, count), None
             while returned is None:
-                returned = loop(self._reach, start, end, memory, field, options, out)
+                try:
+                    returned = loop(self._reach, start, end, memory, field, options, out)
+                except NumbaError as error:
+                    lines = [line for line in str(error).splitlines() if "nopython" not in line]
+                    raise InputError(f"{rule}, compiled by Numba: {lines[0]}") from error
                 if returned is None:
                     self._length = 2 * len(memory.found)
                     memory = scratch(self._reach, self._length, BLOCK)
@@ -149,7 +157,7 @@ def _field(function, alone, find, make):
                     beside = part(memory.beside, 0, (field.shape[1], padded(count)))
                     gather_field(field, v, memory.found, count, beside)
                     returned = function(around, beside, *options)
-                components = len(returned)
+                components = max(components, len(returned))
                 if components > WIDEST:
                     raise InputError("a field has more than 32 components")
                 for k in range(components):

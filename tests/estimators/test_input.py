@@ -173,3 +173,104 @@ def test_an_error_ends_the_work(threads):
         for_each(work, range(100), threads)
     assert len(begun) <= threads
     assert for_each(lambda item: 2 * item, range(7), threads) == [*range(0, 14, 2)]
+
+
+# Bodies of files whose fields or options cannot be what they are, and what is said of them.
+WRONG = {
+    "two fields of each other": (
+        "def a(disk, b):\n    return (1.0,)\n\n\ndef b(disk, a):\n    return (1.0,)\n\n\n"
+        "def estimate(disk, a):\n    return 1.0, 1.0\n",
+        "field 'a' would need itself",
+    ),
+    "a field of the estimator": (
+        "def a(disk, estimate):\n    return (1.0,)\n\n\n"
+        "def estimate(disk, a):\n    return 1.0, 1.0\n",
+        "field 'estimate' would need itself",
+    ),
+    "a field of meshes": (
+        "def f(mesh):\n    return (mesh.vertices[:, 0],)\n\n\n"
+        "def estimate(disk, f):\n    return 1.0, 1.0\n",
+        "unknown first parameter 'mesh'",
+    ),
+    "rings of triangles": (
+        "PER = ('vertex', 'face')\n\n\ndef estimate(ring):\n    return ring.areas[0], None\n",
+        "is given a ring; around a triangle's centre there are disks alone",
+    ),
+    "a field of rings at triangles": (
+        "PER = ('vertex', 'face')\n\n\ndef f(ring):\n    return (ring.areas[0],)\n\n\n"
+        "def estimate(disk, f):\n    return f[0, 0], f[0, 1]\n",
+        "'f of .*' is given a ring; around a triangle's",
+    ),
+    "more components than memory": (
+        "def f(ring):\n    return (ring.areas[0],) * 4000\n\n\n"
+        "def estimate(disk, f):\n    return f[0, 0], f[39, 1]\n",
+        "'f of .*' has more than 32 components",
+    ),
+    "as many components as neighbours": (
+        "def f(ring):\n    return tuple(ring.areas)\n\n\n"
+        "def estimate(disk, f):\n    return f[0, 0], f[0, 1]\n",
+        "'f of .*' returns different numbers of components",
+    ),
+    "components of no length": (
+        "def f(ring):\n    return 1.0, 2.0\n\n\ndef estimate(disk, f):\n    return f[0, 0], 1.0\n",
+        r"has to return a tuple of arrays \(\d+,\) of float64",
+    ),
+    "no components": (
+        "def f(ring):\n    return None\n\n\ndef estimate(disk, f):\n    return 1.0, 1.0\n",
+        "has to return a tuple of arrays",
+    ),
+    "one number as a field": (
+        "def f(disk):\n    return 1.0\n\n\ndef estimate(disk, f):\n    return f[0, 0], 1.0\n",
+        "'f' has to return a tuple of numbers, compiled by Numba",
+    ),
+    "one number": ("def estimate(disk):\n    return 1.0\n", "has to return K and H, or curvlib"),
+    "a default that is no length": (
+        "from curvlib.kit.options import Length\n\n\n"
+        "def estimate(disk, radius: Length = '5 edge s'):\n    return 1.0, 1.0\n",
+        "radius='5 edge s' is no length",
+    ),
+    "a radius without a unit": (
+        "def estimate(disk, radius=1.5):\n    return 1.0, 1.0\n",
+        "'radius' has to be annotated as curvlib.kit.options.Length",
+    ),
+    "rings in words": (
+        "def estimate(disk, rings='two'):\n    return 1.0, 1.0\n",
+        "rings='two' is no number of at least 1",
+    ),
+    "an annotation of nothing": (
+        "def estimate(disk, x: 'Nothing' = 1):\n    return 1.0, 1.0\n",
+        "name 'Nothing' is not defined",
+    ),
+}
+
+
+@pytest.mark.parametrize("wrong", WRONG)
+def test_fields_and_options_that_cannot_be(tmp_path, wrong):
+    """Each ends in one message; memory beyond that of a field is never read or written."""
+    body, message = WRONG[wrong]
+    path = tmp_path / "wrong.py"
+    path.write_text(f"LABEL = 'x'\n\n\n{body}")
+    per = "face" if "PER" in body else "vertex"
+    vertices, faces = torus(8, "irregular")
+    with pytest.raises(curvlib.InputError, match=message):
+        curvlib.estimate((vertices, faces), str(path), per=per)
+
+
+def test_annotations_as_text(tmp_path):
+    path = tmp_path / "text.py"
+    path.write_text(
+        "from __future__ import annotations\n\nfrom typing import Literal\n\n"
+        "from curvlib.kit.options import Length\n\nLABEL = 'x'\n\n\n"
+        "def estimate(disk, radius: Length = '2 edges', a: Literal['p', 'q'] = 'p'):\n"
+        "    return radius, 1.0 * disk.count\n"
+    )
+    mesh = curvlib.Mesh(*torus(8, "regular"))
+    found = curvlib.estimate(mesh, str(path), a="q")
+    np.testing.assert_allclose(found.K / mesh.unit**2, 2 * mesh.mean_edge * mesh.unit, rtol=1e-12)
+
+
+def test_options_of_another_kind_than_the_valid_ones(sphere):
+    with pytest.raises(curvlib.InputError, match="unknown rings of quadric '2'; valid: 2, 1, 3"):
+        curvlib.estimate(sphere, "quadric", rings="2")
+    with pytest.raises(curvlib.InputError, match="unknown option of meyer 'radius'; valid: none"):
+        curvlib.estimate(sphere, "meyer", radius=1)

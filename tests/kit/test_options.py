@@ -46,7 +46,7 @@ def test_lengths():
 
 
 @pytest.mark.parametrize(
-    "value", ["5", "5 rings", "-1 edges", "1.2.3 edges", 0, -1, True, [1], 1e999]
+    "value", ["5", "5 rings", "-1 edges", "1.2.3 edges", 0, -1, True, [1], 1e999, 10**400]
 )
 def test_what_is_no_length(value):
     mesh = torus(8, "regular")
