@@ -86,10 +86,12 @@ def check(mesh: Mesh) -> Report:
     edges = Edges(mesh.faces)
     used = np.zeros(len(mesh.vertices), dtype=bool)
     used[mesh.faces] = True
-    points = mesh.vertices[used] if used.any() else np.full((1, 3), np.nan)
-    corners = mesh.vertices[mesh.faces]
+    # No square or cube of a length overflows or underflows.
+    unit, vertices = mesh.unit, mesh.vertices * mesh.unit
+    points = vertices[used] if used.any() else np.full((1, 3), np.nan)
+    corners = vertices[mesh.faces]
     facets = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    ends = mesh.vertices[edges.ends]
+    ends = vertices[edges.ends]
     lengths = np.sqrt(((ends[:, 1] - ends[:, 0]) ** 2).sum(1))
     uses = np.bincount(edges.edge[edges.edge >= 0], minlength=len(edges.ends))
     closed = bool(len(uses)) and bool((uses == 2).all())
@@ -103,6 +105,8 @@ def check(mesh: Mesh) -> Report:
     on_rim[rim] = True
     origin = points[0]
     volume = ((corners[:, 0] - origin) * facets).sum() / 6 if closed else np.nan
+    quantiles = np.quantile(lengths, np.linspace(0, 1, 5)) if len(lengths) else np.full(5, np.nan)
+    area = np.sqrt((facets * facets).sum(1)).sum() / 2
     return Report(
         vertices=len(mesh.vertices),
         triangles=len(mesh.faces),
@@ -110,11 +114,11 @@ def check(mesh: Mesh) -> Report:
         closed=closed,
         genus=genus,
         boundaries=_components(rim, on_rim),
-        low=points.min(0),
-        high=points.max(0),
-        edges=np.quantile(lengths, [0, 0.25, 0.5, 0.75, 1]) if len(lengths) else np.full(5, np.nan),
-        volume=float(volume),
-        area=float(np.sqrt((facets * facets).sum(1)).sum() / 2),
+        low=points.min(0) / unit,
+        high=points.max(0) / unit,
+        edges=quantiles / unit,
+        volume=float(volume) / unit / unit / unit,
+        area=float(area) / unit / unit,
         step=_step(points, lengths),
         faults=[
             fault

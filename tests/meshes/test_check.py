@@ -30,6 +30,20 @@ def test_a_torus():
     assert moved.volume == pytest.approx(mesh.volume, rel=1e-6)
 
 
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+@pytest.mark.parametrize("scale", [2.0**-600, 2.0**-900, 2.0**900])
+def test_a_torus_of_any_size(scale):
+    """The same faults and shape where squares of lengths are no float64."""
+    vertices, faces = torus(8, "irregular")
+    one = check(curvlib.Mesh(vertices, faces[:, ::-1]))
+    other = check(curvlib.Mesh(vertices * scale, faces[:, ::-1]))
+    assert [(f.name, f.count) for f in one.faults] == [(f.name, f.count) for f in other.faults]
+    assert [f.name for f in other.faults] == ["closed components that face inward"]
+    assert (other.genus, other.boundaries, other.step) == (1, 0, 0)
+    np.testing.assert_array_equal(other.edges, one.edges * scale)
+    np.testing.assert_array_equal(other.low, one.low * scale)
+
+
 def test_components_holes_and_the_unused():
     ball = pyvista.Icosphere(radius=1, nsub=2)
     vertices, faces = torus(8, "regular")
