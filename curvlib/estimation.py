@@ -90,6 +90,14 @@ def _checked(signature, per):
     check_name("per", per, ("vertex", "face"))
     if per not in signature.per:
         raise InputError(f"per: estimator {signature.name!r} has values at vertices alone")
+    below = signature if per == "face" else None
+    while below:
+        if below.given in ("ring", "ball"):
+            raise InputError(
+                f"per: {below.name!r} is given a {below.given}; around a triangle's centre there "
+                "are disks alone"
+            )
+        below = below.field
     return signature
 
 

@@ -87,14 +87,6 @@ class Signature:
             self.field, rest = self._beside(rest[0].name, (*above, function)), rest[1:]
         self.geodesic = any(p.annotation is Geodesic for p in rest)
         self.options = {p.name: self._values(p) for p in rest}
-        below = self
-        while "face" in self.per and below:
-            if below.given in ("ring", "ball"):
-                raise InputError(
-                    f"estimator {name!r}: PER names 'face', but {below.name!r} is given a "
-                    f"{below.given}; around a triangle's centre there are disks alone"
-                )
-            below = below.field
 
     def _beside(self, name, above):
         beside = _globals(self.function).get(name)

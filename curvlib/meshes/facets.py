@@ -4,12 +4,13 @@ import numpy as np
 
 from curvlib.kit.compiled import compiled
 
-from .neighbourhoods import BROKEN, CLOSED
+from .neighbourhoods import BROKEN, CLOSED, MOST
 
 
 def facets(mesh, threads: int = 1):
     """The graph of a mesh's triangles: two are neighbours if they share a vertex whose triangles
-    form a disk or half-disk.
+    form a disk or half-disk
+    of at most MOST of them: n at one vertex have n^2 pairs.
 
     Returns
     -------
@@ -32,7 +33,9 @@ def facets(mesh, threads: int = 1):
         normals /= lengths[:, None]
     stars = np.where(lengths > 0, CLOSED, BROKEN).astype(np.uint8)
     # Faces that name a vertex twice, or meet where no disk is, are passed over.
-    corner = np.where(mesh.find_adjacency(threads).stars[mesh.faces] != BROKEN, mesh.faces, -1)
+    few = np.bincount(mesh.faces.ravel(), minlength=len(mesh.vertices)) <= MOST
+    passed = few & (mesh.find_adjacency(threads).stars != BROKEN)
+    corner = np.where(passed[mesh.faces], mesh.faces, -1)
     corner[stars == BROKEN] = -1
     order = np.argsort(corner.ravel(), kind="stable")
     vertex, face = corner.ravel()[order], (order // 3).astype(np.int32)

@@ -217,6 +217,18 @@ def test_neighbours_of_triangles_on_a_broken_mesh():
     assert all(t in rows[s] for t, row in enumerate(rows) for s in row)
 
 
+def test_triangles_at_a_vertex_of_very_many():
+    """20,000 at the apex of a cone are neighbours around its rim alone, not each of each."""
+    n = 20000
+    angle, i = np.arange(n) * 2 * np.pi / n, np.arange(n)
+    rim = np.column_stack((np.cos(angle), np.sin(angle), 0 * angle))
+    faces = np.column_stack((0 * i, 1 + i, 1 + (i + 1) % n))
+    _, _, _, offsets, neighbours, _ = facets(curvlib.Mesh(np.vstack(([[0, 0, 1]], rim)), faces))
+    assert (np.diff(offsets) == 2).all()
+    np.testing.assert_array_equal(neighbours.reshape(n, 2)[1:-1, 0], i[:-2])
+    np.testing.assert_array_equal(neighbours.reshape(n, 2)[1:-1, 1], i[2:])
+
+
 def test_per_face_where_there_is_none():
     with pytest.raises(curvlib.InputError, match="'quadric' has values at vertices alone"):
         curvlib.estimate(torus(8, "regular"), "quadric", per="face")
