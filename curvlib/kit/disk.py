@@ -17,10 +17,13 @@ from .ring import SHEET
 from .vectors import add, cross, divide, dot
 
 ROWS, SPACE = 64, 4096
+# A ring that brings a disk to more neighbours than this is left out, and those behind it: the
+# neighbours of a vertex of valence n would have disks of n vertices each, n^2 in all.
+MOST = 1024
 
 Disk = namedtuple(
     "Disk",
-    "e weights hops distances normal exact_normal area radius count rows space",
+    "e weights hops distances normal exact_normal area closed radius count rows space walk",
 )
 Disk.__doc__ = """The neighbours of a vertex v.
 
@@ -43,6 +46,8 @@ exact_normal : tuple of 3 floats
     The unit normal that the mesh has at the vertex; infinite for a mesh without normals.
 area : float
     A third of the area of the triangles at v.
+closed : bool
+    Whether the triangles at v close to one ring; else v lies on the boundary.
 radius : float
     The largest |v_i - v|.
 count : int
@@ -52,6 +57,14 @@ rows : (ROWS, n)
     hold what the last vertex left there.
 space : (SPACE,)
     For others, likewise.
+walk : Walk
+    For `wider`.
+"""
+
+Walk = namedtuple("Walk", "vertices offsets neighbours unit stamps found hops space v rings")
+Walk.__doc__ = """How the disk of the vertex v was found: arguments of the search and of `gather`.
+
+`rings` is their number, 0 for a disk within some length.
 """
 
 
@@ -67,35 +80,29 @@ def space_for(count):
 
 
 @kernel
-def gather(vertices, v, found, hops, distances, count, star, unit, space):
+def gather(walk, distances, count, star):
     """Gather the Disk of a vertex.
 
     Parameters
     ----------
-    vertices : (V, 3)
-        Coordinates, in the unit of the mesh.
-    v : int
-        The vertex.
-    found : (count or more,) int32
-        Its neighbours.
-    hops : (count + LANES - 1 or more,) uint8
-        Their distances in edges; on return padded.
+    walk : Walk
+        `vertices` (V, 3) in the unit of the mesh, the vertex `v`; `found` (count or more,) int32,
+        its neighbours; `hops` (count + LANES - 1 or more,) uint8, their distances in edges, on
+        return padded; `unit`, `Mesh.unit`, by which lengths of the Disk are multiplied; `space`
+        (ROWS n + SPACE or more,), memory for `Disk.rows` and `Disk.space`.
     distances : (count + LANES - 1 or more,) or (0,)
         Those along edges, in the unit of the mesh; on return in that of the Disk, and padded.
     count : int
-        Their number.
+        Of neighbours.
     star : tuple
-        `normal`, `exact_normal` and `area` of the Disk.
-    unit : float
-        `Mesh.unit`: lengths of the Disk are multiplied by it.
-    space : (ROWS n + SPACE or more,)
-        Memory for `Disk.rows` and `Disk.space`.
+        `normal`, `exact_normal`, `area` and `closed` of the Disk.
 
     Returns
     -------
     Disk
     """
-    n = (count + LANES - 1) // LANES * LANES
+    vertices, v, found, hops, unit = walk.vertices, walk.v, walk.found, walk.hops, walk.unit
+    n, space = (count + LANES - 1) // LANES * LANES, walk.space
     e, weights = part(space, 0, (3, n)), part(space, 3 * n, (n,))
     x, y, z = vertices[v, 0], vertices[v, 1], vertices[v, 2]
     for i in range(count):
@@ -116,7 +123,46 @@ def gather(vertices, v, found, hops, distances, count, star, unit, space):
         distances[i] = distances[i] * unit if i < count else 0.0
     lengths = part(distances, 0, (min(n, len(distances)),))
     radius = np.sqrt(farthest)
-    return Disk(e, weights, part(hops, 0, (n,)), lengths, *star, radius, count, rows, rest)
+    return Disk(e, weights, part(hops, 0, (n,)), lengths, *star, radius, count, rows, rest, walk)
+
+
+@kernel
+def wider(disk):
+    """The disk with one ring more; itself where there is none, or where it is that of a length.
+
+    The arrays of the narrower one are overwritten, and so are those of the estimator.
+
+    Parameters
+    ----------
+    disk : Disk
+
+    Returns
+    -------
+    Disk
+    """
+    walk, count, begin = disk.walk, disk.count, disk.count
+    mark = np.int32(walk.v + 1)
+    while begin > 0 and disk.hops[begin - 1] == walk.rings:
+        begin -= 1
+    for i in range(begin if walk.rings > 0 else count, disk.count):
+        u = np.uint64(walk.found[i])
+        first, last = walk.offsets[u], walk.offsets[u + np.uint64(1)]
+        if last - first > MOST:
+            return disk
+        for j in range(first, last):
+            w = walk.neighbours[j]
+            walk.found[count] = w
+            count += walk.stamps[w] != mark
+            walk.stamps[w] = mark
+        if count > MOST:
+            return disk
+    if count == disk.count:
+        return disk
+    for i in range(disk.count, count):
+        walk.hops[i] = walk.rings + 1
+    own = disk.normal, disk.exact_normal, disk.area, disk.closed
+    grown = Walk(*walk[:9], walk.rings + 1)
+    return gather(grown, disk.distances, count, own)
 
 
 @kernel

@@ -47,7 +47,7 @@ PRODUCT = _products()
 
 
 @kernel
-def fit_polynomial(disk, X, Y, N, lowest, degree):
+def fit_polynomial(disk, X, Y, N, lowest, degree, sine=CUTOFF):
     """Fit z = f(x, y) with x = e . X, y = e . Y, z = e . N to the neighbours e of a Disk, by
     least squares of the residuals times `disk.weights`.
 
@@ -61,6 +61,9 @@ def fit_polynomial(disk, X, Y, N, lowest, degree):
         passes through it.
     degree : int
         Highest degree of a monomial, from 2 to HIGHEST.
+    sine : float
+        Points determine a polynomial if the column of each monomial has an angle of a larger sine
+        to the span of those of higher ones.
 
     Returns
     -------
@@ -69,8 +72,7 @@ def fit_polynomial(disk, X, Y, N, lowest, degree):
         polynomial of degree 2 is determined.
     degree : int
         The highest degree that the points determine, at most `degree`, whose polynomial it is; 1
-        where that is below 2. Points determine a polynomial if the column of each monomial has an
-        angle of more than CUTOFF to the span of those of higher ones.
+        where that is below 2.
 
     Raises
     ------
@@ -104,7 +106,7 @@ def fit_polynomial(disk, X, Y, N, lowest, degree):
             for k in range(i, p):
                 system[i, k] = moments[PRODUCT[last - i, last - k]]
             system[i, p] = heights[last - i]
-        if solve(system, 6 - first, work):
+        if solve(system, 6 - first, work, sine):
             end = p - 1 + first
             curved = inverse * system[end - 3, p], inverse * system[end - 4, p]
             return (
@@ -173,7 +175,7 @@ def sum_moments(rows, lowest, highest, moments):
 
 
 @kernel
-def solve(system, wanted, work):
+def solve(system, wanted, work, sine=CUTOFF):
     """Solve normal equations by L D L^T without pivoting.
 
     Parameters
@@ -184,16 +186,18 @@ def solve(system, wanted, work):
     wanted : int
     work : (2 p or more,)
         Overwritten.
+    sine : float
+        As in `fit_polynomial`.
 
     Returns
     -------
     bool
-        Whether each pivot exceeds CUTOFF^2 times its entry on the diagonal: it is the square of the
+        Whether each pivot exceeds sine^2 times its entry on the diagonal: it is the square of the
         sine of the angle between a column and the span of those before it.
     """
     p = len(system)
     for k in range(p):
-        work[p + k] = CUTOFF**2 * system[k, k]
+        work[p + k] = sine * sine * system[k, k]
     for k in range(p):
         if not system[k, k] > work[p + k]:
             return False

@@ -11,7 +11,7 @@ import numpy as np
 
 from curvlib.kit.ball import gather_ball
 from curvlib.kit.compiled import kernel
-from curvlib.kit.disk import gather, space_for, star
+from curvlib.kit.disk import Walk, gather, space_for, star
 from curvlib.kit.lanes import LANES
 from curvlib.kit.parts import part
 
@@ -132,11 +132,11 @@ def find_triangles(reach, scratch, v):
 @kernel
 def make_disk(reach, scratch, v, count):
     """The Disk of a vertex or of a triangle's centre."""
-    normal, exact, area, _ = _star(reach, v)
-    found, hops, space = scratch.found, scratch.hops, scratch.space
     distances = part(scratch.path[1], 0, (count + LANES if reach.geodesic else 0,))
-    own = normal, exact, area
-    return gather(reach.vertices, v, found, hops, distances, count, own, reach.unit, space)
+    searched = scratch.stamps, scratch.found, scratch.hops, scratch.space
+    rings = reach.rings if reach.radius == np.inf else 0
+    mesh = reach.vertices, reach.offsets, reach.neighbours, reach.unit
+    return gather(Walk(*mesh, *searched, v, rings), distances, count, _star(reach, v))
 
 
 @kernel

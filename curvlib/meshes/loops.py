@@ -7,12 +7,13 @@ from numba.core.errors import NumbaError
 
 from curvlib.errors import InputError
 from curvlib.kit.compiled import compiled, kernel
+from curvlib.kit.disk import MOST
 from curvlib.kit.parts import part
 from curvlib.kit.tensor import Curvatures
 from curvlib.parallel import for_each
 
 from .around import WIDEST, scratch
-from .neighbourhoods import BROKEN, MOST
+from .neighbourhoods import BROKEN
 from .values import NONE, UNDEFINED, gather_field, numbers, padded, returns, scatter
 
 # Vertices that a thread takes at a time.

@@ -10,15 +10,13 @@ from collections import namedtuple
 import numpy as np
 
 from curvlib.kit.compiled import compiled, kernel
+from curvlib.kit.disk import MOST
 
 from .corners import by_bucket, table_of
 from .walks import LAST, MANY, slot_of, walk, walk_by_table
 
 # What the triangles around a vertex form.
 BROKEN, CLOSED, OPEN = 0, 1, 2
-# A ring that brings a disk to more neighbours than this is left out, and those behind it: the
-# neighbours of a vertex of valence n would have disks of n vertices each, n^2 in all.
-MOST = 1024
 # In most rows there are no more neighbours.
 STEPS = 7
 

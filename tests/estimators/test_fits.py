@@ -49,7 +49,7 @@ def test_jets_against_cgal(name, degree, rings):
     np.testing.assert_allclose(same.k2[there], theirs[there, 1], atol=1e-9)
     parallel = np.abs((same.d1 * theirs[:, 2:]).sum(1))
     np.testing.assert_allclose(parallel[there], 1, atol=1e-9)
-    ours = curvlib.estimate(mesh, "jet", degree=degree, rings=rings)
+    ours = curvlib.estimate(mesh, "jet", degree=degree, rings=rings, fit="approximation")
     difference = np.abs(ours.k1 - theirs[:, 0])[there & ~mesh.boundary]
     assert 1e-6 < difference.mean() < (0.02 if degree == 2 else 0.01)
     assert np.isfinite(ours.K).all()
@@ -88,6 +88,9 @@ def exact(x, y, f):
         ("jet", {"degree": 4, "rings": 3}, 3),
         ("jet", {"degree": 5, "rings": 3}, 4),
         ("jet", {"degree": 6, "rings": 4}, 5),
+        ("jet", {"degree": 6, "rings": 3}, 5),
+        ("jet", {"degree": 4, "radius": "3.5 edges"}, 3),
+        ("jet", {"degree": 4, "rings": 3, "fit": "approximation"}, 3),
     ],
 )
 def test_order_on_irregular_meshes(name, options, order):

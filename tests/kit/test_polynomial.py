@@ -28,7 +28,7 @@ def disk_of(points, weights=None):
     radius = float(np.linalg.norm(points, axis=1).max(initial=0))
     none = np.empty(0)
     hops = np.ones(n, np.uint8)
-    return Disk(rows[:3], rows[3], hops, none, N, N, 0.0, radius, count, rows, space)
+    return Disk(rows[:3], rows[3], hops, none, N, N, 0.0, True, radius, count, rows, space, None)
 
 
 def points_of(rng, count, z):
