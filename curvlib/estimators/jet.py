@@ -43,7 +43,8 @@ def estimate(
         Instead of `rings`, the neighbours within this distance.
     fit : {"interpolation", "approximation"}
         Interpolation: the jet passes through the vertex, and a residual in ring k has the weight
-        exp(-(k / rings)^2), within a radius exp(-(distance / largest distance)^2). Approximation: the vertex is a point like others, all of weight 1.
+        exp(-(k / rings)^2); with a radius exp(-(distance / largest distance)^2). Approximation: the
+        vertex is a point like others, all of weight 1.
 
     Returns
     -------

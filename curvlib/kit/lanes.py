@@ -58,6 +58,19 @@ def eliminate(rows, k, factors):
         rows[i, i // LANES * LANES :] -= factors[i] * rows[k, i // LANES * LANES :]
 
 
+def combine(rows, i, first, count, factors):
+    """Set rows[i] to the sum of factors[j] rows[first + j], j < count, added in this order.
+
+    Parameters
+    ----------
+    factors : (count or more,)
+    """
+    total = np.zeros(rows.shape[1])
+    for j in range(count):
+        total = total + factors[j] * rows[first + j]
+    rows[i] = total
+
+
 def _matrix(context, builder, kind, value):
     """Pointer to the first vector of a row, as a function of its index; vectors in a row."""
     array = context.make_array(kind)(context, builder, value)
@@ -165,6 +178,25 @@ def _eliminate(typingctx, rows, k, factors):
     return types.void(rows, types.intp, factors), generate
 
 
+@intrinsic
+def _combine(typingctx, rows, i, first, count, factors):
+    def generate(context, builder, signature, arguments):
+        row, number = _matrix(context, builder, signature.args[0], arguments[0])
+        _, i, first, count, _ = arguments
+        factor = context.make_array(signature.args[4])(context, builder, arguments[4]).data
+        total = cgutils.alloca_once(builder, VECTOR)
+        with cgutils.for_range(builder, number) as block:
+            builder.store(ir.Constant(VECTOR, [0.0] * LANES), total)
+            with cgutils.for_range(builder, count) as loop:
+                x = _every(builder, builder.load(builder.gep(factor, [loop.index])))
+                value = _load(builder, row(builder.add(first, loop.index)), block.index)
+                builder.store(builder.fadd(builder.load(total), builder.fmul(x, value)), total)
+            _store(builder, builder.load(total), row(i), block.index)
+        return context.get_dummy_value()
+
+    return types.void(rows, types.intp, types.intp, types.intp, factors), generate
+
+
 @overload(dot)
 def _(rows, i, j):
     return (lambda rows, i, j: _dot(rows, i, j)) if _is_matrix(rows) else None
@@ -183,3 +215,10 @@ def _(rows, i, j, a):
 @overload(eliminate)
 def _(rows, k, factors):
     return (lambda rows, k, factors: _eliminate(rows, k, factors)) if _is_matrix(rows) else None
+
+
+@overload(combine)
+def _(rows, i, first, count, factors):
+    if _is_matrix(rows):
+        return lambda rows, i, first, count, factors: _combine(rows, i, first, count, factors)
+    return None
