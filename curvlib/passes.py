@@ -163,7 +163,9 @@ def _graph(mesh, per, threads):
     # Read only as the vertices of a mesh: one type, compiled once.
     centres, normals = centres.view(), normals.view()
     centres.flags.writeable = normals.flags.writeable = False
-    return Reach(centres, offsets, neighbours, stars, normals, areas, mesh.unit, 1, np.inf, False)
+    return Reach(
+        centres, offsets, neighbours, stars, normals, areas, mesh.unit, 1, np.inf, False, None
+    )
 
 
 def _around(graph, signature, options):
@@ -189,7 +191,8 @@ def _field(mesh, graph, signature, chosen, threads):
     if beside.given in ("disk", "ball"):
         graph = _graph(mesh, "vertex", threads) if graph is None else graph
         around = _around(graph, beside, options)
-        return around.field(beside.function, tuple(options.values()), field, threads)
+        solved = around.solution if beside.coupled else around.field
+        return solved(beside.function, tuple(options.values()), field, threads)
     found = []
 
     def work(ring, at, neighbours, start, end):

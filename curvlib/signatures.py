@@ -8,6 +8,7 @@ from typing import get_args
 
 from .catalogue import estimators, peers
 from .errors import InputError, check_name
+from .kit.coupled import Coupled
 from .kit.options import Geodesic, Length, Lengths, Option
 
 # Valid names of an estimator's first parameter, which say what it is given.
@@ -47,6 +48,8 @@ class Signature:
     field : Signature or None
         Of the function beside it that has the name of its second parameter, where that has no
         default.
+    coupled : bool
+        Whether it is annotated to return Coupled: a field that is the solution of equations.
     geodesic : bool
         Whether an option of it is a Geodesic.
     per : tuple
@@ -85,6 +88,7 @@ class Signature:
         self.given, rest = first.name, parameters[1:]
         if rest and rest[0].default is first.empty and rest[0].kind == first.kind:
             self.field, rest = self._beside(rest[0].name, (*above, function)), rest[1:]
+        self.coupled = signature.return_annotation is Coupled
         self.geodesic = any(p.annotation is Geodesic for p in rest)
         self.options = {p.name: self._values(p) for p in rest}
 

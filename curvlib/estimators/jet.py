@@ -112,7 +112,7 @@ def fit_jet(disk, X, Y, N, degree, rings, interpolating):
         narrow = disk.count
         if reached == degree or disk.walk.rings >= WIDEST:
             return derivatives, reached
-        disk = wider(disk)
+        disk, _ = wider(disk)
         if disk.count == narrow:
             return derivatives, reached
 
@@ -128,8 +128,12 @@ def weigh(disk, rings):
         At which the weight is 1/e.
     """
     if disk.walk.rings > 0:
+        hop, weight = 0, 1.0
         for i in range(disk.count):
-            disk.weights[i] = np.exp(-((disk.hops[i] / rings) ** 2))
+            if disk.hops[i] != hop:
+                hop = disk.hops[i]
+                weight = np.exp(-((hop / rings) ** 2))
+            disk.weights[i] = weight
     else:
         inverse = 1 / (disk.radius * disk.radius)
         for i in range(disk.count):

@@ -16,7 +16,10 @@ curvlib, and names and meaning here do not change between minor versions.
 `measures`  curvature measures of triangles, dihedral angles of edges
 `polynomial` a polynomial fitted to a disk, by normal equations
 `reweighted` a quadric fitted to most points of a disk
-`lanes`     rows of a matrix as vectors: dot products, projections, elimination
+`hermite`   a polynomial fitted to the heights and the slopes of a disk
+`coupled`   values that are solutions of equations between vertices
+`lanes`     rows of a matrix as vectors: dot products, projections, elimination,
+            linear combinations
 `parts`     parts of an array as arrays of another shape
 `options`   types of options
 `tensor`    from a second fundamental form, a graph or K and H to K, H, k1, k2, d1, d2

@@ -61,10 +61,12 @@ walk : Walk
     For `wider`.
 """
 
-Walk = namedtuple("Walk", "vertices offsets neighbours unit stamps found hops space v rings")
+Walk = namedtuple(
+    "Walk", "vertices offsets neighbours unit field stamps found hops space values v rings"
+)
 Walk.__doc__ = """How the disk of the vertex v was found: arguments of the search and of `gather`.
 
-`rings` is their number, 0 for a disk within some length.
+`rings` is their number, 0 for a disk within some length; `values` is memory for the field.
 """
 
 
@@ -128,41 +130,78 @@ def gather(walk, distances, count, star):
 
 @kernel
 def wider(disk):
-    """The disk with one ring more; itself where there is none, or where it is that of a length.
-
-    The arrays of the narrower one are overwritten, and so are those of the estimator.
+    """The disk with one ring more, and the field there; as it was where there is none.
 
     Parameters
     ----------
     disk : Disk
+        Its arrays and those of the estimator are overwritten.
 
     Returns
     -------
-    Disk
+    disk : Disk
+    field : (c, 1 + n)
+        Of the estimator, at the vertex and its neighbours; (0, 1 + n) if it takes none.
     """
+    walk, count = disk.walk, _count_wider(disk)
+    if count > disk.count:
+        for i in range(disk.count, count):
+            walk.hops[i] = walk.rings + 1
+        own = disk.normal, disk.exact_normal, disk.area, disk.closed
+        disk = gather(Walk(*walk[:11], walk.rings + 1), disk.distances, count, own)
+    field = part(walk.values, 0, (walk.field.shape[1], 1 + disk.e.shape[1]))
+    gather_field(walk.field, walk.v, walk.found, count, field)
+    return disk, field
+
+
+@kernel
+def _count_wider(disk):
+    """Search the next ring: the number of neighbours with it; that of the disk where it is left
+    out."""
     walk, count, begin = disk.walk, disk.count, disk.count
-    mark = np.int32(walk.v + 1)
+    if walk.rings == 0:
+        return count
     while begin > 0 and disk.hops[begin - 1] == walk.rings:
         begin -= 1
-    for i in range(begin if walk.rings > 0 else count, disk.count):
+    for i in range(begin, disk.count):
         u = np.uint64(walk.found[i])
         first, last = walk.offsets[u], walk.offsets[u + np.uint64(1)]
         if last - first > MOST:
-            return disk
+            return disk.count
         for j in range(first, last):
             w = walk.neighbours[j]
             walk.found[count] = w
-            count += walk.stamps[w] != mark
-            walk.stamps[w] = mark
+            count += walk.stamps[w] != walk.v + 1
+            walk.stamps[w] = walk.v + 1
         if count > MOST:
-            return disk
-    if count == disk.count:
-        return disk
-    for i in range(disk.count, count):
-        walk.hops[i] = walk.rings + 1
-    own = disk.normal, disk.exact_normal, disk.area, disk.closed
-    grown = Walk(*walk[:9], walk.rings + 1)
-    return gather(grown, disk.distances, count, own)
+            return disk.count
+    return count
+
+
+@kernel
+def gather_field(field, v, found, count, values):
+    """Gather a field at a vertex and its neighbours.
+
+    Parameters
+    ----------
+    field : (V, c)
+    v : int
+        The vertex.
+    found : (count or more,) int32
+        The neighbours.
+    count : int
+    values : (c, 1 + n)
+        Set: first at the vertex, zero behind the neighbours.
+    """
+    components, width = values.shape
+    for c in range(components):
+        values[c, 0] = field[v, c]
+        for i in range(1 + count, width):
+            values[c, i] = 0.0
+    for i in range(count):
+        u = np.uint64(found[i])
+        for c in range(components):
+            values[c, 1 + i] = field[u, c]
 
 
 @kernel

@@ -23,7 +23,7 @@ from .neighbourhoods import CLOSED, k_rings, within
 WIDEST = 32
 
 Reach = namedtuple(
-    "Reach", "vertices offsets neighbours stars normals areas unit rings radius geodesic"
+    "Reach", "vertices offsets neighbours stars normals areas unit rings radius geodesic field"
 )
 Reach.__doc__ = """What is gathered from, and how far.
 
@@ -44,6 +44,8 @@ radius : float
     Instead of rings where it is finite.
 geodesic : bool
     Whether the radius is measured along edges.
+field : (V, c)
+    That of the estimator; (V, 0) if it takes none.
 """
 
 Scratch = namedtuple("Scratch", "stamps found hops space beside values path corners")
@@ -133,10 +135,10 @@ def find_triangles(reach, scratch, v):
 def make_disk(reach, scratch, v, count):
     """The Disk of a vertex or of a triangle's centre."""
     distances = part(scratch.path[1], 0, (count + LANES if reach.geodesic else 0,))
-    searched = scratch.stamps, scratch.found, scratch.hops, scratch.space
+    mesh = reach.vertices, reach.offsets, reach.neighbours, reach.unit, reach.field
+    memory = scratch.stamps, scratch.found, scratch.hops, scratch.space, scratch.beside
     rings = reach.rings if reach.radius == np.inf else 0
-    mesh = reach.vertices, reach.offsets, reach.neighbours, reach.unit
-    return gather(Walk(*mesh, *searched, v, rings), distances, count, _star(reach, v))
+    return gather(Walk(*mesh, *memory, v, rings), distances, count, _star(reach, v))
 
 
 @kernel

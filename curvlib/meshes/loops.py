@@ -8,13 +8,13 @@ from numba.core.errors import NumbaError
 from curvlib.errors import InputError
 from curvlib.kit.compiled import compiled, kernel
 from curvlib.kit.disk import MOST
-from curvlib.kit.parts import part
 from curvlib.kit.tensor import Curvatures
 from curvlib.parallel import for_each
 
 from .around import WIDEST, scratch
+from .coupling import calls, equations, solve, stored
 from .neighbourhoods import BROKEN
-from .values import NONE, UNDEFINED, gather_field, numbers, padded, returns, scatter
+from .values import NONE, UNDEFINED, numbers, returns, scatter
 
 # Vertices that a thread takes at a time.
 BLOCK = 2048
@@ -54,10 +54,11 @@ class Neighbourhoods:
             where there is no disk at all.
         """
         count = len(self._reach.vertices)
+        self._take(field)
         # Memory of those that the function does not return is never touched.
         out = Curvatures(*(np.empty(count) for _ in range(4)), *np.empty((2, count, 3)))
         loop = _estimates(function, field is None, *self._kind)
-        given = self._run(loop, f"an estimator {RETURNS}", out, options, field, threads)
+        given = self._run(loop, f"an estimator {RETURNS}", self._blocks(), out, options, threads)
         returned = np.any([NONE, *given], axis=0)
         if returned[2] != returned[3]:
             raise InputError(f"an estimator {RETURNS}")
@@ -70,25 +71,59 @@ class Neighbourhoods:
     def field(self, function, options, field, threads):
         """The components (V, c) that a function returns at all vertices, NaN where there is no
         disk; (V, 0) where there is none at all. Parameters as those of `estimates`."""
-        out = np.full((len(self._reach.vertices), WIDEST), np.nan)
+        self._take(field)
         loop = _field(function, field is None, *self._kind)
-        rule = f"{function.__name__!r} has to return a tuple of numbers"
-        return out[:, : max(self._run(loop, rule, out, options, field, threads), default=0)]
+        rule = _rule(function)
+        out = np.empty((len(self._reach.vertices), self._probe(loop, rule, options) or 0))
+        self._run(loop, rule, self._blocks(), out, options, threads)
+        return out
 
-    def _run(self, loop, rule, out, options, field, threads):
+    def solution(self, function, options, field, threads):
+        """The values (V, c) of a function that returns Coupled, as `curvlib.kit.coupled` says; NaN
+        where there is no disk. Parameters as those of `estimates`."""
+        self._take(field)
+        loop = stored(_compiled(function), field is None, *self._kind)
+        rule = f"{function.__name__!r} has to return Coupled"
+        one = self._probe(functools.partial(equations, loop, WIDEST), rule, options)
+        if one is None:
+            return np.empty((len(self._reach.vertices), 0))
+        others, constants = one[1]
+        own = np.empty((len(self._reach.vertices), 3 + others + constants))
+        stored_by = functools.partial(equations, loop, others)
+        found = self._run(stored_by, rule, self._blocks(), own, options, threads)
+        return solve([block for block, _ in found], own, threads)
+
+    def _take(self, field):
+        """Where there is no field, an array that is not used."""
+        nothing = np.empty((len(self._reach.vertices), 0))
+        self._reach = self._reach._replace(field=nothing if field is None else field)
+
+    def _blocks(self):
+        count = len(self._reach.vertices)
+        return [(start, min(start + BLOCK, count)) for start in range(0, count, BLOCK)]
+
+    def _probe(self, loop, rule, options):
+        """What a loop returns for the first vertex that has a disk; None where none has. Memory of
+        others is never touched."""
+        at = np.flatnonzero(self._reach.stars != BROKEN)[:1]
+        wide = np.empty((len(self._reach.vertices), WIDEST))
+        found = self._run(loop, rule, [(v, v + 1) for v in at.tolist()], wide, options, 1)
+        return found[0] if found else None
+
+    def _run(self, loop, rule, blocks, out, options, threads):
         """What the loop returns for each block; InputError with the `rule` where the function
         cannot be compiled in it."""
-        count, idle = len(self._reach.vertices), []
+        idle = []
 
-        def work(start):
+        def work(block):
             try:
                 memory = idle.pop()
             except IndexError:
                 memory = scratch(self._reach, self._length, BLOCK)
-            end, returned = min(start + BLOCK, count), None
+            returned = None
             while returned is None:
                 try:
-                    returned = loop(self._reach, start, end, memory, field, options, out)
+                    returned = loop(self._reach, *block, memory, options, out)
                 except NumbaError as error:
                     lines = [line for line in str(error).splitlines() if "nopython" not in line]
                     raise InputError(f"{rule}, compiled by Numba: {lines[0]}") from error
@@ -98,7 +133,11 @@ class Neighbourhoods:
             idle.append(memory)
             return returned
 
-        return for_each(work, range(0, count, BLOCK), threads)
+        return for_each(work, blocks, threads)
+
+
+def _rule(function):
+    return f"{function.__name__!r} has to return a tuple of numbers"
 
 
 def _compiled(function):
@@ -111,22 +150,16 @@ def _estimates(function, alone, find, make):
     """The loop of an estimator over vertices, `alone` if it takes no field. Returns which of K, H,
     k1, k2, d1 and d2 it returns, all false where there is no disk; None where the memory does not
     suffice."""
-    function = _compiled(function)
+    called = calls(_compiled(function), alone, make)
 
-    def loop(reach, start, end, memory, field, options, out):
+    def loop(reach, start, end, memory, options, out):
         given = NONE
         for v in range(start, end):
             if reach.stars[v] != BROKEN:
                 count = find(reach, memory, v)
                 if count < 0:
                     return None
-                around = make(reach, memory, v, count)
-                if alone:
-                    returned = function(around, *options)
-                else:
-                    beside = part(memory.beside, 0, (field.shape[1], padded(count)))
-                    gather_field(field, v, memory.found, count, beside)
-                    returned = function(around, beside, *options)
+                returned = called(reach, memory, v, count, options)
                 given, values = returns(*returned), numbers(*returned)
             else:
                 values = UNDEFINED
@@ -142,27 +175,24 @@ def _estimates(function, alone, find, make):
 def _field(function, alone, find, make):
     """The loop of a field over vertices, as `_estimates`. Returns the number of components, 0 where
     there is no disk; None where the memory does not suffice."""
-    function = _compiled(function)
+    called = calls(_compiled(function), alone, make)
 
-    def loop(reach, start, end, memory, field, options, out):
+    def loop(reach, start, end, memory, options, out):
         components = 0
         for v in range(start, end):
             if reach.stars[v] != BROKEN:
                 count = find(reach, memory, v)
                 if count < 0:
                     return None
-                around = make(reach, memory, v, count)
-                if alone:
-                    returned = function(around, *options)
-                else:
-                    beside = part(memory.beside, 0, (field.shape[1], padded(count)))
-                    gather_field(field, v, memory.found, count, beside)
-                    returned = function(around, beside, *options)
-                components = max(components, len(returned))
-                if components > WIDEST:
-                    raise InputError("a field has more than 32 components")
+                returned = called(reach, memory, v, count, options)
+                components = len(returned)
+                if components > out.shape[1]:
+                    raise InputError("a field has more than 32 components, or more at some vertices")
                 for k in range(components):
                     out[v, k] = returned[k]
+            else:
+                for k in range(out.shape[1]):
+                    out[v, k] = np.nan
         return components
 
     return kernel(loop)

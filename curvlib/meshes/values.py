@@ -18,21 +18,6 @@ def padded(count):
 
 
 @kernel
-def gather_field(field, v, found, count, beside):
-    """Set `beside` (c, padded(count)) to the field at the vertex and at `count` others, the padding
-    to zero."""
-    components, width = beside.shape
-    for c in range(components):
-        beside[c, 0] = field[v, c]
-        for i in range(1 + count, width):
-            beside[c, i] = 0.0
-    for i in range(count):
-        u = np.uint64(found[i])
-        for c in range(components):
-            beside[c, 1 + i] = field[u, c]
-
-
-@kernel
 def scatter(values, start, end, unit, given, out):
     """Scatter the values of a block, in the unit of the mesh.
 

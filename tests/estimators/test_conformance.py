@@ -51,6 +51,8 @@ def bounded(name):
 def within_reach(name, mesh, vertices):
     """(V,) bool: the vertices with values that others, in one pass or more, can change."""
     found, signature = np.isin(np.arange(len(mesh.vertices)), vertices), SIGNATURES[name]
+    if hasattr(catalogue.module(name), "GLOBAL"):  # which says why
+        return np.ones(len(found), bool)
     while signature is not None:
         radius = lengths(name, mesh).get("radius") if "radius" in signature.options else None
         if radius is None:
@@ -61,6 +63,11 @@ def within_reach(name, mesh, vertices):
             found = cKDTree(mesh.vertices[found]).query(mesh.vertices)[0] <= reach
         signature = signature.field
     return found
+
+
+def precision(name):
+    """To which values agree that would be equal but for rounding."""
+    return getattr(catalogue.module(name), "PRECISION", 1e-9)
 
 
 def assert_estimates(found, expected, tolerance=1e-9):
@@ -92,7 +99,7 @@ class TestConformance:
         one = curvlib.estimate(sphere, name)
         scaled = curvlib.estimate((sphere.vertices * radius, sphere.faces), name)
         # One factor at a time: the square of 1e-150 is no float64 of full precision.
-        assert_estimates((scaled.K * radius * radius, scaled.H * radius), one)
+        assert_estimates((scaled.K * radius * radius, scaled.H * radius), one, precision(name))
 
     @pytest.mark.parametrize("radius", [1e-160, 1e160])
     def test_values_out_of_range(self, name, sphere, radius):
@@ -100,13 +107,15 @@ class TestConformance:
         one = curvlib.estimate(sphere, name)
         scaled = curvlib.estimate((sphere.vertices * radius, sphere.faces), name)
         assert np.isnan(scaled.K).all()
-        assert_estimates((scaled.H * radius,), (one.H,))
+        assert_estimates((scaled.H * radius,), (one.H,), precision(name))
 
     def test_rigid_motion(self, name, ellipsoid):
         turn = pyvista.transformations.axis_angle_rotation((1, 2, 3), 77)[:3, :3]
         moved = ellipsoid.vertices @ turn.T + (3, -1, 2)
         assert_estimates(
-            curvlib.estimate((moved, ellipsoid.faces), name), curvlib.estimate(ellipsoid, name)
+            curvlib.estimate((moved, ellipsoid.faces), name),
+            curvlib.estimate(ellipsoid, name),
+            precision(name),
         )
 
     def test_relabelled_vertices(self, name, ellipsoid):
@@ -117,7 +126,7 @@ class TestConformance:
         faces = np.roll(new[ellipsoid.faces], 1, axis=1)[rng.permutation(len(ellipsoid.faces))]
         expected = curvlib.estimate(ellipsoid, name)
         found = curvlib.estimate((vertices, faces), name)
-        assert_estimates((found.K[new], found.H[new]), expected)
+        assert_estimates((found.K[new], found.H[new]), expected, precision(name))
 
     def test_reversed_orientation(self, name, ellipsoid):
         """K is kept and H negated, but by an estimator that looks one way around the ring."""
@@ -125,7 +134,7 @@ class TestConformance:
         expected = curvlib.estimate(ellipsoid, name)
         found = curvlib.estimate((ellipsoid.vertices, ellipsoid.faces[:, ::-1]), name)
         if one_sided is None:
-            assert_estimates((found.K, -found.H), expected)
+            assert_estimates((found.K, -found.H), expected, precision(name))
         else:
             difference = np.nanmax(np.abs(found.H + expected.H))
             assert difference > 1e-6, f"{name} says it is one-sided, but is not: {one_sided}"

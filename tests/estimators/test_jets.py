@@ -13,7 +13,7 @@ from curvlib.meshes.torus import torus
 
 def grown(disk, rings: Literal[1, 2, 3, 4] = 1, more: Literal[0, 1, 2] = 0):
     for _ in range(more):
-        disk = wider(disk)
+        disk, _ = wider(disk)
     total = 0.0
     for i in range(disk.count):
         total += disk.hops[i] * (1 + disk.e[0, i] + 2 * disk.e[1, i] + 3 * disk.e[2, i])

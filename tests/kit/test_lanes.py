@@ -9,26 +9,29 @@ from curvlib.kit.parts import part
 
 
 @kernel
-def _all(rows, out, factors):
+def _all(rows, out, factors, weights):
     lanes.multiply(rows, 3, 0, 1)
     lanes.project(rows, 4, 0, (0.3, -0.7, 1.1))
     lanes.eliminate(out, 2, factors)
-    return lanes.dot(rows, 0, 1)
+    s = lanes.dot(rows, 0, 1)
+    lanes.substitute(out, 3, 7, factors)
+    lanes.combine(rows, 3, 2, 0, 3, weights)
+    return s
 
 
 @compiled
-def compiled_all(rows, out, factors):
-    return _all(rows, out, factors)
+def compiled_all(rows, out, factors, weights):
+    return _all(rows, out, factors, weights)
 
 
 @pytest.mark.parametrize("n", [0, 8, 24, 64])
 def test_as_in_numpy(n):
     rng = np.random.default_rng(n)
     rows, factors = rng.normal(size=(5, n)), rng.normal(size=11)
-    out = rng.normal(size=(11, 16))
+    out, weights = rng.normal(size=(11, 16)), rng.normal(size=(3, 8))
     expected = [x.copy() for x in (rows, out)]
-    s = compiled_all(rows, out, factors)
-    assert s == _all.py_func(*expected, factors)
+    s = compiled_all(rows, out, factors, weights)
+    assert s == _all.py_func(*expected, factors, weights)
     np.testing.assert_array_equal(rows, expected[0])
     np.testing.assert_array_equal(out, expected[1])
     assert s == pytest.approx(rows[0] @ rows[1], rel=1e-13)
