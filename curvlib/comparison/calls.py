@@ -8,6 +8,7 @@ from curvlib.signatures import Signature, resolved
 # Further options by estimator.
 FURTHER = {
     "ball_regression": [{"radius": "3 edges"}],
+    "compact_hermite": [{"degree": 4}],
     "corrected_measures": [{"radius": "3 edges"}, {"normals": "fit", "radius": "3 edges"}],
     "jet": [{"degree": 3}, {"degree": 4, "rings": 3}, {"degree": 6, "rings": 3}],
     "normal_cycle": [{"radius": "3 edges"}],
@@ -34,7 +35,7 @@ class Call(namedtuple("Call", "estimator options")):
         chosen = signature.chosen(self.options)
         if chosen.get("radius") is not None:
             return f"radius {chosen['radius']}"
-        if signature.given == "mesh":
+        if signature.given == "mesh" or (signature.field and signature.field.coupled):
             return "mesh"
         rings = chosen.get("rings", 1)
         return f"{rings} ring{'s' if rings > 1 else ''}" + (", twice" if signature.field else "")

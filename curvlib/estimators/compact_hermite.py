@@ -98,7 +98,20 @@ def estimate(disk, fitted, degree: Literal[6, 4, 5] = 6):
 
 @kernel
 def fitted(disk, normals, degree: Literal[6, 4, 5] = 6) -> Coupled:
-    """The polynomial of a vertex as a function of the normals of its neighbours."""
+    """The polynomial of a vertex as a function of the normals of its neighbours.
+
+    Parameters
+    ----------
+    disk : Disk
+    normals : (4, 1 + n)
+        The first normals, and where they may change.
+    degree : {6, 4, 5}
+
+    Returns
+    -------
+    Coupled
+        The unknowns are the slopes in the frame of the first normal, tangents(N).
+    """
     N = normals[0, 0], normals[1, 0], normals[2, 0]
     X, Y = tangents(N)
     while degree > 4 and disk.walk.rings < 2:
@@ -125,7 +138,17 @@ def fitted(disk, normals, degree: Literal[6, 4, 5] = 6) -> Coupled:
 
 @kernel
 def normals(disk, rings: Literal[2] = 2):
-    """The first normal of a vertex, and 1 where its triangles close to one ring."""
+    """The first normal of a vertex, and 1 where its triangles close to one ring.
+
+    Parameters
+    ----------
+    disk : Disk
+    rings : {2}
+
+    Returns
+    -------
+    x, y, z, closed : float
+    """
     N = disk.normal
     X, Y = tangents(N)
     f, _ = fit_jet(disk, X, Y, N, 3 if disk.closed else 6, rings if disk.closed else 3, True)
