@@ -46,7 +46,7 @@ def fit_hermite(disk, normals, X, Y, N, degree, weight, sine):
     """Fit z = f(x, y), f(0, 0) = 0, to the neighbours e of a Disk.
 
     Least squares of the residuals of z and, times `weight`, of the derivatives of z along the axes
-    of whitened coordinates: those in which the second moments of x and y are the unit matrix.
+    of whitened coordinates: those in which the second moments of x and y are half the identity.
 
     Parameters
     ----------

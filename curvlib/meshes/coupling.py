@@ -52,7 +52,7 @@ def solve(blocks, own, threads):
         def swept(block, now=now, after=after):
             return _sweep(block, own, now, after)
 
-        # Blocks have their sums in an order of their own.
+        # The sums of blocks do not depend on the threads.
         change = math.sqrt(math.fsum(for_each(swept, blocks, threads)))
         now, after = after, now
         first = change if first is None else first
