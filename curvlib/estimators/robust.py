@@ -108,9 +108,10 @@ def estimate(disk, normals, rings: Literal[2, 1, 3] = 2):
     Source: Yohai (1987), High breakdown-point and high efficiency robust estimates for regression;
     Rousseeuw (1984), Least median of squares regression, for the second start.
     """
-    e, weights, hops, distances, normal, exact, area, _, count, rows, space = disk
+    e, weights, hops, distances, normal, exact, area, closed, _, count, rows, space, walk = disk
     size, factor = weigh_by_distance(disk), consistency(count)
-    sized = Disk(e, weights, hops, distances, normal, exact, area, size, count, rows, space)
+    own = normal, exact, area, closed, size, count, rows, space, walk
+    sized = Disk(e, weights, hops, distances, *own)
     quadric, other = part(space, 88, (UNKNOWNS + 1,)), part(space, 96, (UNKNOWNS + 1,))
     N = _median(disk, normals)
     X, Y = tangents(N)

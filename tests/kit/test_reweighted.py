@@ -44,7 +44,7 @@ def disk_of(points, hops=None):
     around = np.zeros(n, np.uint8)
     around[:count] = 1 if hops is None else hops
     none = np.empty(0)
-    disk = Disk(rows[:3], rows[3], around, none, N, N, 0.0, 1.0, count, rows, space)
+    disk = Disk(rows[:3], rows[3], around, none, N, N, 0.0, True, 1.0, count, rows, space, None)
     measure(disk)
     rows[NEAR] = rows[3]
     return disk
