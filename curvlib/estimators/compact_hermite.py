@@ -6,10 +6,10 @@ import numpy as np
 
 from curvlib.kit.compiled import kernel
 from curvlib.kit.coupled import Coupled
-from curvlib.kit.disk import wider
 from curvlib.kit.hermite import fit_hermite
 from curvlib.kit.tensor import from_graph
 from curvlib.kit.vectors import tangents
+from curvlib.kit.wider import wider
 
 from .jet import fit_jet
 

@@ -5,11 +5,11 @@ from typing import Literal
 import numpy as np
 
 from curvlib.kit.compiled import kernel
-from curvlib.kit.disk import wider
 from curvlib.kit.options import Length
 from curvlib.kit.polynomial import fit_polynomial
 from curvlib.kit.tensor import from_graph
 from curvlib.kit.vectors import tangents
+from curvlib.kit.wider import wider
 
 LABEL = "Jet"
 SOURCE = "https://doi.org/10.1016/j.cagd.2004.09.004"

@@ -10,6 +10,7 @@ curvlib, and names and meaning here do not change between minor versions.
 `frame`     their normal N_v, coordinates in the tangent plane and normal curvatures kn_i
 `fit`       batches of small least-squares problems
 `disk`      a vertex and its neighbours over some rings, or within a length
+`wider`     a disk with one ring more
 `ball`      the triangles within a length of a vertex, cut where they leave it
 `cut`       segments and triangles within a ball
 `solid`     moments of the solid that the triangles of a ball bound
@@ -18,8 +19,8 @@ curvlib, and names and meaning here do not change between minor versions.
 `reweighted` a quadric fitted to most points of a disk
 `hermite`   a polynomial fitted to the heights and the slopes of a disk
 `coupled`   values that are solutions of equations between vertices
-`lanes`     rows of a matrix as vectors: dot products, projections, elimination,
-            linear combinations
+`lanes`     rows of a matrix as vectors: dot products, projections, elimination
+`combinations` linear combinations of rows
 `parts`     parts of an array as arrays of another shape
 `options`   types of options
 `tensor`    from a second fundamental form, a graph or K and H to K, H, k1, k2, d1, d2

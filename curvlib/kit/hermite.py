@@ -7,8 +7,9 @@ since derivatives of monomials are monomials; and so are the derivatives by slop
 
 import numpy as np
 
+from .combinations import combine, substitute
 from .compiled import kernel
-from .lanes import LANES, combine, dot, multiply, project, substitute
+from .lanes import LANES, dot, multiply, project
 from .parts import part
 from .polynomial import MOMENTS, MONOMIALS, PRODUCT, monomials, solve, sum_moments, terms
 from .vectors import add, cross, tangents
@@ -90,6 +91,7 @@ def fit_hermite(disk, normals, X, Y, N, degree, weight, sine):
         return undetermined
     a, b = inverse / l11, inverse / l22
     c = -l21 / l11 * b
+    axes = a, b, c
     A, B = _times(X, a), add(_times(X, c), b, Y)
     # In the unit of the disk, `monomials` divides by the radius.
     scaled = _times(A, disk.radius), _times(B, disk.radius), _times(N, disk.radius)
@@ -116,14 +118,12 @@ def fit_hermite(disk, normals, X, Y, N, degree, weight, sine):
         system[p - 3, p],
         system[p - 4, p],
         system[p - 5, p],
-        a,
-        b,
-        c,
+        axes,
     )
     room = part(space, SYSTEM + p * width, (p, LANES))
     _inverse(system, room, space)
     _by_slopes(rows, degree, square, room, space)
-    gain = _to_normals(rows, normals, count, N, U, V, a, b, c)
+    gain = _to_normals(rows, normals, count, N, U, V, axes)
     return f, gain, derivatives
 
 
@@ -133,9 +133,9 @@ def _times(a, x):
 
 
 @kernel
-def _derivatives(c10, c01, c20, c11, c02, a, b, c):
+def _derivatives(c10, c01, c20, c11, c02, axes):
     """p, q, r, s and t of coefficients in whitened coordinates a x and c x + b y."""
-    xx, xy, yy = 2 * c20, c11, 2 * c02
+    (a, b, c), xx, xy, yy = axes, 2 * c20, c11, 2 * c02
     return (
         a * c10 + c * c01,
         b * c01,
@@ -218,7 +218,7 @@ def _by_slopes(rows, degree, square, room, space):
 
 
 @kernel
-def _to_normals(rows, normals, count, N, U, V, a, b, c):
+def _to_normals(rows, normals, count, N, U, V, axes):
     """Turn derivatives of whitened coefficients by whitened slopes to those of p, q, r, s and t by
     changes of normals; return the gain."""
     gain, over_u, over_v = 0.0, cross(N, U), cross(N, V)
@@ -240,9 +240,7 @@ def _to_normals(rows, normals, count, N, U, V, a, b, c):
             rows[g + 2, i] * uu + rows[h + 2, i] * vu,
             rows[g + 3, i] * uu + rows[h + 3, i] * vu,
             rows[g + 4, i] * uu + rows[h + 4, i] * vu,
-            a,
-            b,
-            c,
+            axes,
         )
         by_v = _derivatives(
             rows[g, i] * uv + rows[h, i] * vv,
@@ -250,9 +248,7 @@ def _to_normals(rows, normals, count, N, U, V, a, b, c):
             rows[g + 2, i] * uv + rows[h + 2, i] * vv,
             rows[g + 3, i] * uv + rows[h + 3, i] * vv,
             rows[g + 4, i] * uv + rows[h + 4, i] * vv,
-            a,
-            b,
-            c,
+            axes,
         )
         for k in range(5):
             rows[g + 2 * k, i], rows[g + 2 * k + 1, i] = by_u[k], by_v[k]

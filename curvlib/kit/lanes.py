@@ -8,8 +8,6 @@ In all functions `rows` is a C-contiguous array of float64 (m, n), n a multiple 
 are rows of it.
 """
 
-import functools
-
 import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
@@ -58,35 +56,6 @@ def eliminate(rows, k, factors):
     # In whole blocks, to the left of the diagonal too.
     for i in range(k + 1, len(rows)):
         rows[i, i // LANES * LANES :] -= factors[i] * rows[k, i // LANES * LANES :]
-
-
-def combine(rows, i, number, first, count, factors):
-    """Set rows[i + f] to the sum of factors[j, f] rows[first + j], j < count, for f < number.
-
-    Parameters
-    ----------
-    number : int literal
-        Of rows that are set, at most LANES.
-    factors : (count or more, LANES)
-    """
-    for f in range(number):
-        total = np.zeros(rows.shape[1])
-        for j in range(count):
-            total = total + factors[j, f] * rows[first + j]
-        rows[i + f] = total
-
-
-def substitute(rows, i, count, factors):
-    """Subtract the sum of factors[j] rows[i + 1 + j], j < count, from rows[i].
-
-    Parameters
-    ----------
-    factors : (count or more,)
-    """
-    whole, s = count // 4 * 4, np.zeros((4, rows.shape[1]))
-    for j in range(count):
-        s[j % 4 if j < whole else 0] += factors[j] * rows[i + 1 + j]
-    rows[i] -= (s[0] + s[1]) + (s[2] + s[3])
 
 
 def _matrix(context, builder, kind, value):
@@ -196,68 +165,6 @@ def _eliminate(typingctx, rows, k, factors):
     return types.void(rows, types.intp, factors), generate
 
 
-@functools.cache
-def _combine(outputs):
-    """The intrinsic for a number of rows."""
-
-    def generate(context, builder, signature, arguments):
-        row, blocks = _matrix(context, builder, signature.args[0], arguments[0])
-        _, i, first, count, _ = arguments
-        factor = context.make_array(signature.args[4])(context, builder, arguments[4]).data
-        totals = [cgutils.alloca_once(builder, VECTOR) for _ in range(outputs)]
-        with cgutils.for_range(builder, blocks) as block:
-            for total in totals:
-                builder.store(ir.Constant(VECTOR, [0.0] * LANES), total)
-            with cgutils.for_range(builder, count) as loop:
-                value = _load(builder, row(builder.add(first, loop.index)), block.index)
-                place = builder.mul(loop.index, loop.index.type(LANES))
-                for f, total in enumerate(totals):
-                    at = builder.gep(factor, [builder.add(place, place.type(f))])
-                    product = builder.fmul(_every(builder, builder.load(at)), value)
-                    builder.store(builder.fadd(builder.load(total), product), total)
-            for f, total in enumerate(totals):
-                _store(builder, builder.load(total), row(builder.add(i, i.type(f))), block.index)
-        return context.get_dummy_value()
-
-    @intrinsic
-    def combined(typingctx, rows, i, first, count, factors):
-        return types.void(rows, types.intp, types.intp, types.intp, factors), generate
-
-    return combined
-
-
-@intrinsic
-def _substitute(typingctx, rows, i, count, factors):
-    def generate(context, builder, signature, arguments):
-        row, blocks = _matrix(context, builder, signature.args[0], arguments[0])
-        _, i, count, _ = arguments
-        factor = context.make_array(signature.args[3])(context, builder, arguments[3]).data
-        totals = [cgutils.alloca_once(builder, VECTOR) for _ in range(4)]
-        whole = builder.mul(builder.udiv(count, count.type(4)), count.type(4))
-
-        def add(j, block, total):
-            x = _every(builder, builder.load(builder.gep(factor, [j])))
-            below = row(builder.add(builder.add(i, i.type(1)), j))
-            product = builder.fmul(x, _load(builder, below, block))
-            builder.store(builder.fadd(builder.load(total), product), total)
-
-        with cgutils.for_range(builder, blocks) as block:
-            for total in totals:
-                builder.store(ir.Constant(VECTOR, [0.0] * LANES), total)
-            with cgutils.for_range_slice(builder, count.type(0), whole, count.type(4)) as (j, _):
-                for f, total in enumerate(totals):
-                    add(builder.add(j, j.type(f)), block.index, total)
-            with cgutils.for_range_slice(builder, whole, count, count.type(1)) as (j, _):
-                add(j, block.index, totals[0])
-            a, b, c, d = map(builder.load, totals)
-            s = builder.fadd(builder.fadd(a, b), builder.fadd(c, d))
-            value = builder.fsub(_load(builder, row(i), block.index), s)
-            _store(builder, value, row(i), block.index)
-        return context.get_dummy_value()
-
-    return types.void(rows, types.intp, types.intp, factors), generate
-
-
 @overload(dot)
 def _(rows, i, j):
     return (lambda rows, i, j: _dot(rows, i, j)) if _is_matrix(rows) else None
@@ -276,18 +183,3 @@ def _(rows, i, j, a):
 @overload(eliminate)
 def _(rows, k, factors):
     return (lambda rows, k, factors: _eliminate(rows, k, factors)) if _is_matrix(rows) else None
-
-
-@overload(combine)
-def _(rows, i, number, first, count, factors):
-    if not (_is_matrix(rows) and isinstance(number, types.IntegerLiteral)):
-        return None
-    combined = _combine(number.literal_value)
-    return lambda rows, i, number, first, count, factors: combined(rows, i, first, count, factors)
-
-
-@overload(substitute)
-def _(rows, i, count, factors):
-    if _is_matrix(rows):
-        return lambda rows, i, count, factors: _substitute(rows, i, count, factors)
-    return None

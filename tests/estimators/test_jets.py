@@ -7,7 +7,7 @@ import pytest
 from test_fits import exact, graph, wavy
 
 import curvlib
-from curvlib.kit.disk import wider
+from curvlib.kit.wider import wider
 from curvlib.meshes.torus import torus
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from curvlib.kit import lanes
+from curvlib.kit import combinations, lanes
 from curvlib.kit.compiled import compiled, kernel
 from curvlib.kit.parts import part
 
@@ -14,8 +14,8 @@ def _all(rows, out, factors, weights):
     lanes.project(rows, 4, 0, (0.3, -0.7, 1.1))
     lanes.eliminate(out, 2, factors)
     s = lanes.dot(rows, 0, 1)
-    lanes.substitute(out, 3, 7, factors)
-    lanes.combine(rows, 3, 2, 0, 3, weights)
+    combinations.substitute(out, 3, 7, factors)
+    combinations.combine(rows, 3, 2, 0, 3, weights)
     return s
 
 
