@@ -186,8 +186,9 @@ def _field(function, alone, find, make):
                     return None
                 returned = called(reach, memory, v, count, options)
                 components = len(returned)
-                if components > out.shape[1]:
-                    raise InputError("a field has more than 32 components, or more at some vertices")
+                width = out.shape[1]
+                if components > width or (components < width and width < WIDEST):
+                    raise InputError("a field has more than 32 components, or not always as many")
                 for k in range(components):
                     out[v, k] = returned[k]
             else:

@@ -23,7 +23,8 @@ def of_disk(e, N, normals):
     field[:, 0], field[:, 1 : 1 + count] = N, np.transpose(normals)
     none, up = np.empty(0), (0.0, 0.0, 1.0)
     space = np.zeros(SPACE)
-    disk = Disk(rows[:3], rows[3], hops, none, up, up, 0.0, radius, count, rows, space)
+    own = none, up, up, 0.0, True, radius, count, rows, space, None
+    disk = Disk(rows[:3], rows[3], hops, *own)
     return estimate(disk, field)
 
 
