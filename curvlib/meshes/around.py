@@ -17,7 +17,8 @@ from curvlib.kit.parts import part
 
 from .balls import triangles_within
 from .geodesics import along_edges
-from .neighbourhoods import CLOSED, k_rings, within
+from .neighbourhoods import CLOSED
+from .searches import k_rings, within
 
 # The most components of a field.
 WIDEST = 32

@@ -3,8 +3,9 @@
 import numpy as np
 
 from curvlib.kit.compiled import compiled
+from curvlib.kit.disk import MOST
 
-from .neighbourhoods import BROKEN, CLOSED, MOST
+from .neighbourhoods import BROKEN, CLOSED
 
 
 def facets(mesh, threads: int = 1):

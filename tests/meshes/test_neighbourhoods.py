@@ -6,16 +6,10 @@ import numpy as np
 import pytest
 
 import curvlib
+from curvlib.kit.disk import MOST
 from curvlib.meshes import corners
-from curvlib.meshes.neighbourhoods import (
-    BROKEN,
-    CLOSED,
-    MOST,
-    OPEN,
-    adjacency,
-    k_rings,
-    within,
-)
+from curvlib.meshes.neighbourhoods import BROKEN, CLOSED, OPEN, adjacency
+from curvlib.meshes.searches import k_rings, within
 from curvlib.meshes.torus import torus
 from curvlib.meshes.walks import MANY
 
