@@ -74,8 +74,10 @@ def estimate(disk, averaged, radius: Length = "5 edges"):
     are means over a sixth of the ball's area, and not through heights, which a staircase displaces
     by half a step.
 
-    Order: O(r^2) for a radius r in the length of the mesh. For r in edges, measured on irregular
-    meshes, O(h^1.8).
+    Order: O(r^2) for a radius r in the length of the mesh that does not depend on h, and O(h) for
+    r ~ sqrt(h), measured on irregular meshes. For r in edges none: averaged normals there are O(h)
+    off. At 5 edges errors of K and H fall as h^1.8 from 2,500 to 40,000 vertices, and ever slower
+    then; at 3 edges they stand still from 40,000 on.
 
     Source: normals voted by neighbours, after Salfer et al. (2020), Reliable estimation of membrane
     curvature for cryo-electron tomography, and Page et al. (2002); the regression of normals on

@@ -92,3 +92,13 @@ def test_order_in_balls_that_shrink_slower_than_edges():
         )
         errors.append([np.abs(found.k1 - mesh.k1).mean(), np.abs(found.k2 - mesh.k2).mean()])
     assert (np.log(np.divide(*errors)) / np.log(4) > 0.8).all()
+
+
+def test_radius_in_edges_has_no_order():
+    """Averaged normals are O(h) off, over a ball of O(h)."""
+    errors = []
+    for n in (100, 200):
+        mesh = jittered("ellipsoid", n)
+        found = curvlib.estimate(mesh, "ball_regression", radius="3 edges")
+        errors.append([np.abs(found.K - mesh.K).mean(), np.abs(found.H - mesh.H).mean()])
+    assert (np.log2(np.divide(*errors)) < 0.5).all()
