@@ -131,9 +131,9 @@ def errors(side, kind, per, **options):
 
 @pytest.mark.parametrize("per", ["vertex", "face"])
 def test_order(per):
-    """Over five edges, with fitted directions: two on a regular mesh; on an irregular one errors
-    fall as far as coarse meshes are concerned. With uniform directions there is none, and at the
-    vertices of a grid errors of K are large and grow."""
+    """Over five edges, with fitted directions: two on a coarse regular mesh; on an irregular one
+    errors fall as far as coarse meshes are concerned. With uniform directions there is none, and at
+    the vertices of a grid errors of K are large and grow."""
     coarse, fine = (errors(n, "regular", per, directions="fitted") for n in (32, 64))
     assert (np.log2(coarse / fine)[:2] > 1.8).all()
     coarse, fine = (errors(n, "irregular", per, directions="fitted") for n in (32, 64))
@@ -144,6 +144,12 @@ def test_order(per):
     assert (uniform < (0.06, 0.04, 0.15)).all()
     grid = [errors(n, "regular", per)[0] for n in (32, 64)]
     assert (grid[1] > grid[0] > 0.1) == (per == "vertex")
+
+
+def test_order_on_fine_grids():
+    """One in the mean: of opposite neighbours one may lie beyond the radius."""
+    coarse, fine = (errors(n, "regular", "vertex", directions="fitted")[1] for n in (96, 256))
+    assert 0.8 < np.log(coarse / fine) / np.log(256 / 96) < 1.5
 
 
 def test_boundary():
