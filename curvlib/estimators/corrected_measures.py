@@ -100,9 +100,9 @@ def estimate(
 
     Order: O(radius + e / radius), e being the error of the normals and not less than O(h^2) for
     exact vertices (Lachaud, Romon, Thibert 2022). With exact normals O(radius^2) is measured over
-    a ball, so O(h) for a radius ~ sqrt(h), where "ball" has O(h), too, and "area" h^0.7 to h; on a
-    sphere values are exact. Over one ring O(h) with exact normals or "fit"; with "area" or "ball"
-    the error does not vanish on irregular meshes.
+    a ball, so O(h) for a radius ~ sqrt(h), where "ball" has O(h), too, but for vertices near a
+    boundary, and "area" h^0.7 to h; on a sphere values are exact. Over one ring O(h) with exact
+    normals or "fit"; with "area" or "ball" the error does not vanish on irregular meshes.
 
     Source: Lachaud, Romon, Thibert, Coeurjolly (2020), Interpolated corrected curvature measures
     for polygonal surfaces.
