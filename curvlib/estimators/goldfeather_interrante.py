@@ -3,6 +3,7 @@
 import numpy as np
 
 from curvlib.kit.compiled import kernel
+from curvlib.kit.disk import normals as normals
 from curvlib.kit.lanes import LANES, dot, multiply
 from curvlib.kit.parts import part
 from curvlib.kit.polynomial import MOMENTS, MONOMIALS, monomials, solve, sum_moments, terms
@@ -12,12 +13,6 @@ from curvlib.kit.vectors import tangents
 LABEL = "Goldfeather-Interrante"
 SOURCE = "https://doi.org/10.1145/966131.966134"
 STYLE = {"color": "#117733", "marker": "d", "linestyle": "-"}
-
-
-@kernel
-def normals(disk):
-    """The normal of the triangles of `disk`, weighted by area."""
-    return disk.normal
 
 
 @kernel

@@ -5,17 +5,12 @@ import math
 import numpy as np
 
 from curvlib.kit.compiled import kernel
+from curvlib.kit.disk import normals as normals
 from curvlib.kit.vectors import add, at, cross, dot, norm
 
 LABEL = "Meek-Walton"
 SOURCE = "https://doi.org/10.1016/S0167-8396(00)00006-6"
 STYLE = {"color": "#882255", "marker": "h", "linestyle": "-"}
-
-
-@kernel
-def normals(disk):
-    """The normal of the triangles of `disk`, weighted by area."""
-    return disk.normal
 
 
 @kernel

@@ -6,6 +6,7 @@ import numpy as np
 
 from curvlib.kit.compiled import kernel
 from curvlib.kit.disk import Disk
+from curvlib.kit.disk import normals as normals
 from curvlib.kit.parts import part
 from curvlib.kit.polynomial import monomials
 from curvlib.kit.reweighted import (
@@ -36,12 +37,6 @@ SAMPLES = 100
 # Scales in units of the disk's size. Up to the one, with no residual that is large beside it, there
 # is no other quadric to search for; above the other, no quadric is near most neighbours.
 SMALL, LARGE = 0.005, 0.3
-
-
-@kernel
-def normals(disk):
-    """The normal of the triangles of `disk`, weighted by area."""
-    return disk.normal
 
 
 @kernel

@@ -3,6 +3,7 @@
 import numpy as np
 
 from curvlib.kit.compiled import kernel
+from curvlib.kit.disk import normals as normals
 from curvlib.kit.fit import CUTOFF
 from curvlib.kit.tensor import from_form
 from curvlib.kit.vectors import add, at, cross, divide, dot, norm, tangents
@@ -10,12 +11,6 @@ from curvlib.kit.vectors import add, at, cross, divide, dot, norm, tangents
 LABEL = "Rusinkiewicz"
 SOURCE = "https://doi.org/10.1109/TDPVT.2004.1335277"
 STYLE = {"color": "#44AA99", "marker": "v", "linestyle": "-"}
-
-
-@kernel
-def normals(disk):
-    """The normal of the triangles of `disk`, weighted by area."""
-    return disk.normal
 
 
 @kernel

@@ -3,18 +3,13 @@
 import numpy as np
 
 from curvlib.kit.compiled import kernel
+from curvlib.kit.disk import normals as normals
 from curvlib.kit.tensor import from_form
 from curvlib.kit.vectors import at, dot, tangents
 
 LABEL = "Theisel et al."
 SOURCE = "https://doi.org/10.1109/PCCGA.2004.1348359"
 STYLE = {"color": "#44AA99", "marker": "^", "linestyle": "--"}
-
-
-@kernel
-def normals(disk):
-    """The normal of the triangles of `disk`, weighted by area."""
-    return disk.normal
 
 
 @kernel

@@ -155,6 +155,21 @@ def gather_field(field, v, found, count, values):
 
 
 @kernel
+def normals(disk):
+    """The normal of the vertex's triangles, weighted by area: a field for estimators.
+
+    Parameters
+    ----------
+    disk : Disk
+
+    Returns
+    -------
+    tuple of 3 floats
+    """
+    return disk.normal
+
+
+@kernel
 def given_normal(disk):
     """The unit normal that the mesh has at the vertex.
 
