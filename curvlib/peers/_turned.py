@@ -24,6 +24,13 @@ def where_closed(mesh, *values):
     return tuple(None if x is None else np.where(mesh.closed, x, np.nan) for x in values)
 
 
+def of_defects(returned, mesh):
+    """K and no H of `returned` angle defects: over the barycentric cell, NaN where the triangles
+    close to no ring."""
+    K, _ = over_used(returned, mesh)
+    return where_closed(mesh, K / cells(mesh), None)
+
+
 def cells(mesh):
     """Area of each vertex's barycentric cell, (V,): a third of that of its triangles."""
     a, b, c = mesh.vertices[mesh.faces].swapaxes(0, 1)

@@ -1,6 +1,6 @@
 """libigl: angle defects."""
 
-from curvlib.peers._turned import cells, over_used, where_closed
+from curvlib.peers._turned import of_defects
 
 LABEL = "libigl, angle defect"
 SOURCE = "https://libigl.github.io/dox/gaussian__curvature_8h.html"
@@ -20,5 +20,4 @@ def returned(vertices, faces):
 
 def estimate(mesh):
     """K as the defect over the barycentric cell; NaN where the triangles close to no ring."""
-    K, _ = over_used(returned, mesh)
-    return where_closed(mesh, K / cells(mesh), None)
+    return of_defects(returned, mesh)
