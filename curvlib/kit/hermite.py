@@ -12,8 +12,8 @@ from .compiled import kernel
 from .lanes import LANES, dot, multiply, project
 from .parts import part
 from .polynomial import MOMENTS, MONOMIALS, PRODUCT, monomials, solve, sum_moments, terms
-from .vectors import add, cross, tangents
-from .vectors import dot as times
+from .vectors import add, cross, tangents, times
+from .vectors import dot as along
 
 STEEPEST = 6  # degree for which Disk.rows suffice
 # Places in Disk.rows. The monomials begin at the weights.
@@ -77,8 +77,8 @@ def fit_hermite(disk, normals, X, Y, N, degree, weight, sine):
     rows, count, inverse = disk.rows, disk.count, 1 / disk.radius
     p, n = terms(degree) - 1, disk.rows.shape[1]
     derivatives = part(disk.walk.space, FUNCTIONALS * n, (10, n))
-    project(rows, X_ROW, 0, _times(X, inverse))
-    project(rows, Y_ROW, 0, _times(Y, inverse))
+    project(rows, X_ROW, 0, times(X, inverse))
+    project(rows, Y_ROW, 0, times(Y, inverse))
     multiply(rows, X_ROW, X_ROW, ONE)
     multiply(rows, Y_ROW, Y_ROW, ONE)
     half = 0.5 * count
@@ -92,16 +92,16 @@ def fit_hermite(disk, normals, X, Y, N, degree, weight, sine):
     a, b = inverse / l11, inverse / l22
     c = -l21 / l11 * b
     axes = a, b, c
-    A, B = _times(X, a), add(_times(X, c), b, Y)
+    A, B = times(X, a), add(times(X, c), b, Y)
     # In the unit of the disk, `monomials` divides by the radius.
-    scaled = _times(A, disk.radius), _times(B, disk.radius), _times(N, disk.radius)
+    scaled = times(A, disk.radius), times(B, disk.radius), times(N, disk.radius)
     monomials(disk, *scaled, degree)
     # Slopes along the whitened axes are those along U and V in space.
-    U, V = add(_times(X, 1 / a), -c / (a * b), Y), _times(Y, 1 / b)
+    U, V = add(times(X, 1 / a), -c / (a * b), Y), times(Y, 1 / b)
     for i in range(count):
         m = normals[0, 1 + i], normals[1, 1 + i], normals[2, 1 + i]
-        steep = -1 / times(m, N)
-        rows[SLOPES, i], rows[SLOPES + 1, i] = steep * times(m, U), steep * times(m, V)
+        steep = -1 / along(m, N)
+        rows[SLOPES, i], rows[SLOPES + 1, i] = steep * along(m, U), steep * along(m, V)
     for i in range(count, n):
         rows[SLOPES, i], rows[SLOPES + 1, i] = 0.0, 0.0
     square = weight * weight
@@ -125,11 +125,6 @@ def fit_hermite(disk, normals, X, Y, N, degree, weight, sine):
     _by_slopes(rows, degree, square, room, space)
     gain = _to_normals(rows, normals, count, N, U, V, axes)
     return f, gain, derivatives
-
-
-@kernel
-def _times(a, x):
-    return a[0] * x, a[1] * x, a[2] * x
 
 
 @kernel
@@ -225,31 +220,30 @@ def _to_normals(rows, normals, count, N, U, V, axes):
     for i in range(count):
         m = normals[0, 1 + i], normals[1, 1 + i], normals[2, 1 + i]
         Xi, Yi = tangents(m)
-        height = times(m, N)
+        height = along(m, N)
         steep = 1 / (height * height)
-        uu, uv = steep * times(Yi, over_u), -steep * times(Xi, over_u)
-        vu, vv = steep * times(Yi, over_v), -steep * times(Xi, over_v)
+        uu, uv = steep * along(Yi, over_u), -steep * along(Xi, over_u)
+        vu, vv = steep * along(Yi, over_v), -steep * along(Xi, over_v)
         g, h = FUNCTIONALS, FUNCTIONALS + 5
         square = rows[g, i] * rows[g, i] + rows[g + 1, i] * rows[g + 1, i]
         square += rows[h, i] * rows[h, i] + rows[h + 1, i] * rows[h + 1, i]
         # A slope changes by 1 / cos^2 of the change of its angle.
         gain += square * steep * steep
-        by_u = _derivatives(
-            rows[g, i] * uu + rows[h, i] * vu,
-            rows[g + 1, i] * uu + rows[h + 1, i] * vu,
-            rows[g + 2, i] * uu + rows[h + 2, i] * vu,
-            rows[g + 3, i] * uu + rows[h + 3, i] * vu,
-            rows[g + 4, i] * uu + rows[h + 4, i] * vu,
-            axes,
-        )
-        by_v = _derivatives(
-            rows[g, i] * uv + rows[h, i] * vv,
-            rows[g + 1, i] * uv + rows[h + 1, i] * vv,
-            rows[g + 2, i] * uv + rows[h + 2, i] * vv,
-            rows[g + 3, i] * uv + rows[h + 3, i] * vv,
-            rows[g + 4, i] * uv + rows[h + 4, i] * vv,
-            axes,
-        )
+        by_u = _derivatives(*_by_normal(rows, i, uu, vu), axes)
+        by_v = _derivatives(*_by_normal(rows, i, uv, vv), axes)
         for k in range(5):
             rows[g + 2 * k, i], rows[g + 2 * k + 1, i] = by_u[k], by_v[k]
     return np.sqrt(gain)
+
+
+@kernel
+def _by_normal(rows, i, x, y):
+    """Five derivatives by slopes that change by x and y."""
+    g, h = FUNCTIONALS, FUNCTIONALS + 5
+    return (
+        rows[g, i] * x + rows[h, i] * y,
+        rows[g + 1, i] * x + rows[h + 1, i] * y,
+        rows[g + 2, i] * x + rows[h + 2, i] * y,
+        rows[g + 3, i] * x + rows[h + 3, i] * y,
+        rows[g + 4, i] * x + rows[h + 4, i] * y,
+    )

@@ -14,6 +14,7 @@ from .compiled import kernel
 from .fit import CUTOFF
 from .lanes import LANES, dot, eliminate, multiply, project
 from .parts import part
+from .vectors import times
 
 HIGHEST = 9  # degree for which Disk.rows and Disk.space suffice
 # Numbers for the moments, and for what belongs to each monomial; both multiples of LANES.
@@ -98,13 +99,8 @@ def fit_polynomial(disk, X, Y, N, lowest, degree, sine=CUTOFF):
         p = last + 1 - first
         width = (p + LANES) // LANES * LANES
         system = part(disk.space, MOMENTS + 3 * MONOMIALS, (p, width))
+        set_matrix(system, moments, last)
         for i in range(p):
-            # `eliminate` runs over whole vectors. What memory held may be subnormal, and is twice
-            # as slow for it.
-            for k in range(width):
-                system[i, k] = 0.0
-            for k in range(i, p):
-                system[i, k] = moments[PRODUCT[last - i, last - k]]
             system[i, p] = heights[last - i]
         if solve(system, 6 - first, work, sine):
             end = p - 1 + first
@@ -136,20 +132,15 @@ def monomials(disk, X, Y, N, degree):
     # The first monomial is 1: the weights, which are row 3.
     rows, inverse, at = disk.rows, 1 / disk.radius, 4
     x = 3 + terms(degree)
-    project(rows, x, 0, _scaled(X, inverse))
-    project(rows, x + 1, 0, _scaled(Y, inverse))
-    project(rows, x + 2, 0, _scaled(N, inverse))
+    project(rows, x, 0, times(X, inverse))
+    project(rows, x + 1, 0, times(Y, inverse))
+    project(rows, x + 2, 0, times(N, inverse))
     for s in range(1, degree + 1):
         for _ in range(s):
             multiply(rows, at, at - s, x)
             at += 1
         multiply(rows, at, at - s - 1, x + 1)
         at += 1
-
-
-@kernel
-def _scaled(a, x):
-    return a[0] * x, a[1] * x, a[2] * x
 
 
 @kernel
@@ -172,6 +163,29 @@ def sum_moments(rows, lowest, highest, moments):
             a, b = terms(half - 1) + of_half, terms(s - half - 1) + j - of_half
             moments[at] = dot(rows, 3 + a, 3 + b)
             at += 1
+
+
+@kernel
+def set_matrix(system, moments, last):
+    """Set the matrix of normal equations, on and above the diagonal, the highest monomial first.
+
+    Parameters
+    ----------
+    system : (p, n)
+        Zero elsewhere.
+    moments : (MOMENTS,)
+        From `sum_moments`.
+    last : int
+        Place of the highest monomial in their order.
+    """
+    p, width = system.shape
+    for i in range(p):
+        # `eliminate` runs over whole vectors. What memory held may be subnormal, and is twice as
+        # slow for it.
+        for k in range(width):
+            system[i, k] = 0.0
+        for k in range(i, p):
+            system[i, k] = moments[PRODUCT[last - i, last - k]]
 
 
 @kernel

@@ -10,7 +10,7 @@ import numpy as np
 from .compiled import kernel
 from .lanes import dot, multiply
 from .parts import part
-from .polynomial import PRODUCT, solve
+from .polynomial import set_matrix, solve
 
 UNKNOWNS, MOMENTS = 6, 15
 # Rows behind those of `monomials`: weights by distance, weights of the fit, heights times these,
@@ -88,11 +88,8 @@ def fit_weighted(disk, quadric):
     for k in range(MOMENTS):
         moments[k] = dot(rows, WEIGHT, ONE + k)
     moments[0] += quadric[UNKNOWNS]
+    set_matrix(system, moments, last)
     for i in range(UNKNOWNS):
-        for k in range(8):
-            system[i, k] = 0.0
-        for k in range(i, UNKNOWNS):
-            system[i, k] = moments[PRODUCT[last - i, last - k]]
         system[i, UNKNOWNS] = dot(rows, WEIGHTED, ONE + last - i)
     determined = solve(system, UNKNOWNS, work)
     if determined:

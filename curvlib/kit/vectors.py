@@ -23,6 +23,12 @@ def add(a, x, b):
 
 
 @compiled
+def times(a, x):
+    """x a."""
+    return a[0] * x, a[1] * x, a[2] * x
+
+
+@compiled
 def divide(a, x):
     """a / x, by one division and three products."""
     inverse = 1 / x

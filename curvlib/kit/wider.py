@@ -6,6 +6,9 @@ from .compiled import kernel
 from .disk import MOST, Walk, gather, gather_field
 from .parts import part
 
+# In most rows there are no more neighbours.
+STEPS = 7
+
 
 @kernel
 def wider(disk):
@@ -42,16 +45,51 @@ def _count_wider(disk):
         return count
     while begin > 0 and disk.hops[begin - 1] == walk.rings:
         begin -= 1
+    mark = np.int32(walk.v + 1)
     for i in range(begin, disk.count):
         u = np.uint64(walk.found[i])
-        first, last = walk.offsets[u], walk.offsets[u + np.uint64(1)]
-        if last - first > MOST:
-            return disk.count
-        for j in range(first, last):
-            w = walk.neighbours[j]
-            walk.found[count] = w
-            count += walk.stamps[w] != walk.v + 1
-            walk.stamps[w] = walk.v + 1
+        count = append_row(walk.offsets, walk.neighbours, u, mark, walk.stamps, walk.found, count)
         if count > MOST:
             return disk.count
+    return count
+
+
+@kernel
+def append_row(offsets, neighbours, u, mark, stamps, found, count):
+    """Append the neighbours of a vertex that have no mark to those found, and mark them.
+
+    Parameters
+    ----------
+    offsets, neighbours
+        Compressed sparse rows.
+    u : uint64
+        The vertex.
+    mark : int32
+    stamps : (V,) int32
+        The marks.
+    found : (MOST + length of the row + 1 or more,) int32
+    count : int
+        How many are found, at most MOST.
+
+    Returns
+    -------
+    int
+        The new count, or just more than MOST where the row alone is as long.
+    """
+    first, last = offsets[u], offsets[u + np.uint64(1)]
+    if last - first > MOST:
+        return MOST + 1
+    if last > first:
+        # STEPS in any row, the last neighbour again and again in a shorter one, and found[count]
+        # is written in any case: no branches to be predicted.
+        for j in range(STEPS):
+            w = neighbours[np.uint64(min(first + j, last - 1))]
+            found[np.uint64(count)] = w
+            count += stamps[np.uint64(w)] != mark
+            stamps[np.uint64(w)] = mark
+    for j in range(first + STEPS, last):
+        w = neighbours[np.uint64(j)]
+        found[np.uint64(count)] = w
+        count += stamps[np.uint64(w)] != mark
+        stamps[np.uint64(w)] = mark
     return count

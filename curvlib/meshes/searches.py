@@ -9,9 +9,7 @@ import numpy as np
 
 from curvlib.kit.compiled import kernel
 from curvlib.kit.disk import MOST
-
-# In most rows there are no more neighbours.
-STEPS = 7
+from curvlib.kit.wider import append_row
 
 
 @kernel
@@ -45,35 +43,12 @@ def k_rings(offsets, neighbours, v, rings, stamps, found, hops):
     for hop in range(2, rings + 1):
         end = count
         for i in range(begin, end):
-            count = _new(offsets, neighbours, np.uint64(found[i]), mark, stamps, found, count)
+            count = append_row(offsets, neighbours, np.uint64(found[i]), mark, stamps, found, count)
             if count > MOST:
                 return end
         for i in range(end, count):
             hops[i] = hop
         begin = end
-    return count
-
-
-@kernel
-def _new(offsets, neighbours, u, mark, stamps, found, count):
-    """Append the neighbours of u that have no mark, and mark them; the new count, or just more
-    than MOST where they alone are as many."""
-    first, last = offsets[u], offsets[u + np.uint64(1)]
-    if last - first > MOST:
-        return MOST + 1
-    if last > first:
-        # STEPS in any row, the last neighbour again and again in a shorter one, and found[count]
-        # is written in any case: no branches to be predicted.
-        for j in range(STEPS):
-            w = neighbours[np.uint64(min(first + j, last - 1))]
-            found[np.uint64(count)] = w
-            count += stamps[np.uint64(w)] != mark
-            stamps[np.uint64(w)] = mark
-    for j in range(first + STEPS, last):
-        w = neighbours[np.uint64(j)]
-        found[np.uint64(count)] = w
-        count += stamps[np.uint64(w)] != mark
-        stamps[np.uint64(w)] = mark
     return count
 
 
