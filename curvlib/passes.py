@@ -127,10 +127,8 @@ def _over_rings(mesh, tasks, threads):
     def work(ring, at, neighbours, start, end):
         for task, options, field in zip(tasks, arguments, fields):
             # A stranger's estimator gets a copy, lest others see what it writes to the ring.
-            given = [ring if task.ours else type(ring)(*map(np.copy, ring))]
-            if field is not None:
-                index = np.vstack((at[start:end], neighbours[:, start:end]))
-                given.append(np.ascontiguousarray(field.T[:, index]))
+            own = ring if task.ours else type(ring)(*map(np.copy, ring))
+            given = own, *_beside(field, at, neighbours, start, end)
             task.store(task.function(*given, **options), at, start, end, mesh.unit)
 
     _each_ring(mesh, work, threads)
@@ -196,10 +194,7 @@ def _field(mesh, graph, signature, chosen, threads):
     found = []
 
     def work(ring, at, neighbours, start, end):
-        given = [ring]
-        if field is not None:
-            index = np.vstack((at[start:end], neighbours[:, start:end]))
-            given.append(np.ascontiguousarray(field.T[:, index]))
+        given = ring, *_beside(field, at, neighbours, start, end)
         found.append((at[start:end], _components(beside, given, options, end - start)))
 
     _each_ring(mesh, work, threads)
@@ -211,6 +206,14 @@ def _field(mesh, graph, signature, chosen, threads):
     for vertices, x in found:
         values[vertices] = x.T
     return values
+
+
+def _beside(field, at, neighbours, start, end):
+    """The field (c, 1 + n, m) at the vertices of rings, or nothing where there is none."""
+    if field is None:
+        return ()
+    index = np.vstack((at[start:end], neighbours[:, start:end]))
+    return (np.ascontiguousarray(field.T[:, index]),)
 
 
 def _components(beside, given, options, count):

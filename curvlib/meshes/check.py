@@ -137,7 +137,7 @@ def _faults(mesh, edges, uses, used, stars, corners, facets):
         len(joined),
         "vertices",
         joined,
-        "joined by themselves in files and arrays; of a Mesh by curvlib.weld",
+        "joined for an estimate; curvlib.weld joins them in the mesh",
     )
     yield _fault("vertices without a triangle", "vertices", ~used, "have no value")
     many = edges.ends[uses > 2]

@@ -10,8 +10,7 @@ from .neighbourhoods import BROKEN, CLOSED
 
 def facets(mesh, threads: int = 1):
     """The graph of a mesh's triangles: two are neighbours if they share a vertex whose triangles
-    form a disk or half-disk
-    of at most MOST of them: n at one vertex have n^2 pairs.
+    form a disk or half-disk of at most MOST of them: n at one vertex have n^2 pairs.
 
     Returns
     -------

@@ -73,7 +73,7 @@ class Neighbourhoods:
         disk; (V, 0) where there is none at all. Parameters as those of `estimates`."""
         self._take(field)
         loop = _field(function, field is None, *self._kind)
-        rule = _rule(function)
+        rule = f"{function.__name__!r} has to return a tuple of numbers"
         out = np.empty((len(self._reach.vertices), self._probe(loop, rule, options) or 0))
         self._run(loop, rule, self._blocks(), out, options, threads)
         return out
@@ -134,10 +134,6 @@ class Neighbourhoods:
             return returned
 
         return for_each(work, blocks, threads)
-
-
-def _rule(function):
-    return f"{function.__name__!r} has to return a tuple of numbers"
 
 
 def _compiled(function):

@@ -41,8 +41,6 @@ def read_arrays(path):
             f"{str(path)!r}: reading {path.suffix} needs {error.name or needed}: "
             "install curvlib[files]"
         ) from None
-    except InputError:
-        raise
     except (Exception, SystemExit) as error:  # meshio ends the process
         words = " ".join(str(error).split()) or type(error).__name__
         raise InputError(f"{str(path)!r}: {reader} cannot read it: {words}") from None
