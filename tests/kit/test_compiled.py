@@ -32,7 +32,8 @@ def shifted_twice(x):
 def test_a_function_is_compiled_once_for_all_constants():
     assert shifted_twice(1.5) == 6
     if hasattr(shifted, "signatures"):
-        assert len(shifted.get_overload.__self__.overloads) == 1
+        # None where the caller comes compiled from an earlier run.
+        assert len(shifted.get_overload.__self__.overloads) <= 1
 
 
 STRANGER = """
