@@ -28,6 +28,10 @@ class Estimates:
         sqrt((k1^2 + k2^2) / 2), in 1/length.
     returned : tuple of str
         The quantities that the estimator returns; others follow from K and H, or are undefined.
+    mesh : Mesh
+        On whose vertices the values are.
+    per : str
+        "vertex", or "face" for values at the triangles' centres: then V counts triangles.
     undefined : dict
         Cause -> number of vertices, or triangles, with a NaN.
 
@@ -43,10 +47,11 @@ class Estimates:
     >>> K, H = estimates
     """
 
-    def __init__(self, mesh, found: dict, given: str, per: str = "vertex", index=None):
+    def __init__(self, mesh, found: dict, given: str, per: str = "vertex", welded=None, index=None):
         """`found`: the arrays that the estimator returned, by name; `given`: what it was given;
-        `index`: as `curvlib.weld` returns it, where `mesh` has been welded."""
-        self._mesh, self._given, self._per, self._index = mesh, given, per, index
+        `welded` and `index`: as `curvlib.weld` returns them, where `mesh` has been welded."""
+        self.mesh, self.per = mesh, per
+        self._mesh, self._given, self._index = mesh if welded is None else welded, given, index
         if index is not None and per == "vertex":
             found = {name: values[index] for name, values in found.items()}
         self._found = found
@@ -93,7 +98,7 @@ class Estimates:
         lacking = np.full(len(self.K), not self._found)
         for values in self._found.values():
             lacking |= np.isnan(values.reshape(len(lacking), -1)).any(1)
-        if self._per == "face":
+        if self.per == "face":
             a, b, c = self._mesh.vertices[self._mesh.faces].transpose(1, 0, 2)
             flat = ~(np.cross(b - a, c - a) != 0).any(1)
             causes = {"triangle without area": (lacking & flat).sum()}
@@ -114,10 +119,65 @@ class Estimates:
         """K and H, so that `K, H = estimate(...)` works."""
         return iter((self.K, self.H))
 
+    def to_polydata(self, columns: str = "curvlib"):
+        """The mesh as a pyvista.PolyData with the quantities as point data, or cell data where they
+        are per face.
+
+        Parameters
+        ----------
+        columns : {"curvlib", "pycurv"}
+            Their names: K, H, k1, ... or, per face, those of pycurv.
+
+        Returns
+        -------
+        pyvista.PolyData
+        """
+        from .columns import columns as named
+        from .meshes.writing import polydata
+
+        return polydata(self.mesh, named(self, columns), self.per)
+
+    def to_dataframe(self, columns: str = "curvlib"):
+        """The quantities as columns of a pandas.DataFrame, a row for each vertex or face.
+
+        Parameters
+        ----------
+        columns : {"curvlib", "pycurv"}
+            As in `to_polydata`; each vector is three columns, d1 is d1_x, d1_y, d1_z.
+
+        Returns
+        -------
+        pandas.DataFrame
+        """
+        import pandas
+
+        from .columns import columns as named
+        from .columns import scalars
+
+        return pandas.DataFrame(scalars(named(self, columns)))
+
     def __repr__(self):
         names = ", ".join(self.returned) or "nothing"
-        places = "vertices" if self._per == "vertex" else "triangles"
+        places = "vertices" if self.per == "vertex" else "triangles"
         return f"<Estimates of {names} at {len(self.K)} {places}>"
+
+    def _repr_html_(self):
+        """A table of quantiles over the area, for notebooks."""
+        from .columns import columns
+        from .regions import PROBABILITIES, quantiles
+
+        heads = "".join(f"<th>{100 * p:.0f} %</th>" for p in PROBABILITIES)
+        rows = [
+            f"<tr><th>{name}</th>{''.join(f'<td>{x:.4g}</td>' for x in found)}</tr>"
+            for name, values in columns(self).items()
+            if values.ndim == 1
+            for found in [quantiles(self.mesh, values, self.per)]
+        ]
+        lacking = ", ".join(f"{n} {cause}" for cause, n in self.undefined.items()) or "nowhere"
+        return (
+            f"<p>{repr(self)[1:-1]}; undefined: {lacking}</p>"
+            f"<table><tr><th>over the area</th>{heads}</tr>{''.join(rows)}</table>"
+        )
 
 
 def _stars(mesh, given):

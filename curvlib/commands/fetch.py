@@ -1,32 +1,34 @@
 """`curvlib fetch`: get an archive of the mesh library, check its SHA-256, unpack it."""
 
-from curvlib import __version__
-from curvlib.dataset.fetch import fetch
+import click
 
-HELP = "get the mesh library"
+from curvlib import __version__
+
+from .terminal import json_option, put_json
+
 ARCHIVE = f"results/dataset/curvature-library-{__version__}.zip"
 
 
-def arguments(command) -> None:
-    """Add the arguments of this verb to its parser."""
-    command.add_argument(
-        "source",
-        nargs="?",
-        default=ARCHIVE,
-        metavar="URL or path",
-        help="the archive, with SHA256SUMS beside it (default: %(default)s, which `snakemake "
-        "dataset` makes)",
-    )
-    command.add_argument(
-        "-o",
-        "--output",
-        default=".",
-        metavar="FOLDER",
-        help="where to unpack; made if it does not exist (default: here)",
-    )
+@click.command()
+@click.argument("source", default=ARCHIVE, metavar="[URL or path]")
+@click.option(
+    "-o",
+    "--output",
+    default=".",
+    metavar="FOLDER",
+    help="Where to unpack; made if it does not exist. Default: here.",
+)
+@json_option
+def command(source, output, as_json):
+    """Get the mesh library.
 
+    The archive, with SHA256SUMS beside it, is checked and unpacked. By default it is the one that
+    `snakemake dataset` makes.
+    """
+    from curvlib.dataset.fetch import fetch
 
-def run(options) -> None:
-    """Fetch an archive and name the next steps."""
-    folder = fetch(options.source, options.output)
-    print(f"{folder}: read its README.md; in Python, curvlib.load_library({str(folder)!r})")
+    folder = fetch(source, output)
+    if as_json:
+        put_json({"folder": str(folder)})
+    else:
+        print(f"{folder}: read its README.md; in Python, curvlib.load_library({str(folder)!r})")

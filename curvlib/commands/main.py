@@ -1,12 +1,38 @@
 """The command line `curvlib`: one file of this folder per verb."""
 
-import argparse
 import importlib
+import os
 import sys
-from pathlib import Path
+
+import click
 
 from curvlib import __version__
 from curvlib.errors import InputError
+
+# In the order of work.
+VERBS = ("info", "estimate", "list", "mesh", "check", "compare", "fetch")
+
+
+class Verbs(click.Group):
+    """The verbs, each imported when it is asked for."""
+
+    def list_commands(self, context):
+        return list(VERBS)
+
+    def get_command(self, context, name):
+        if name in VERBS:
+            return importlib.import_module(f"curvlib.commands.{name}").command
+        return None
+
+
+@click.command(cls=Verbs, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, message="curvlib %(version)s")
+def curvlib():
+    """Curvature on triangle meshes.
+
+    Begin with `curvlib info MESH`. Completion in a shell: eval "$(_CURVLIB_COMPLETE=bash_source
+    curvlib)", or zsh_source, fish_source.
+    """
 
 
 def main(arguments=None) -> int:
@@ -14,23 +40,21 @@ def main(arguments=None) -> int:
 
     Bad input is one line on stderr and status 1, wrong usage 2, an interruption 130.
     """
-    parser = argparse.ArgumentParser(prog="curvlib", description="Curvature on triangle meshes.")
-    parser.add_argument("--version", action="version", version=f"curvlib {__version__}")
-    commands = parser.add_subparsers(required=True, metavar="command")
-    for path in sorted(Path(__file__).parent.glob("*.py")):
-        if path.stem in ("__init__", "main"):
-            continue
-        verb = importlib.import_module(f"curvlib.commands.{path.stem}")
-        command = commands.add_parser(path.stem, help=verb.HELP, description=verb.__doc__)
-        verb.arguments(command)
-        command.set_defaults(run=verb.run)
-    options = parser.parse_args(arguments)
     try:
-        options.run(options)
+        return curvlib.main(arguments, prog_name="curvlib", standalone_mode=False) or 0
     except InputError as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
-    except KeyboardInterrupt:
+    except MemoryError:
+        print("error: not enough memory", file=sys.stderr)
+        return 1
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except BrokenPipeError:
+        # The reader of our output has ended, as `head` does; what is left goes nowhere.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except (KeyboardInterrupt, click.Abort):
         print("interrupted", file=sys.stderr)
         return 130
-    return 0

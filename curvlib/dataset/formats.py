@@ -6,6 +6,7 @@ Nothing is compressed: the output of deflate depends on the machine's zlib.
 import numpy as np
 
 from curvlib.meshes.mesh import Mesh
+from curvlib.meshes.writing import write_ply as ply
 
 
 def write_ply(path, mesh: Mesh, about: dict) -> None:
@@ -13,24 +14,7 @@ def write_ply(path, mesh: Mesh, about: dict) -> None:
     `quality`, the only scalar that MeshLab shows. `about`: comment lines of the header."""
     columns = {"x y z": mesh.vertices, "nx ny nz": mesh.normals}
     columns |= {"K": mesh.K, "H2": mesh.H2, "quality": mesh.K}
-    names = " ".join(columns).split()
-    face = np.dtype([("count", "u1"), ("vertices", "<i4", 3)])
-    faces = np.empty(len(mesh.faces), dtype=face)
-    faces["count"], faces["vertices"] = 3, mesh.faces
-    header = [
-        "ply",
-        "format binary_little_endian 1.0",
-        *(f"comment {line}" for line in _lines(about)),
-        f"element vertex {len(mesh.vertices)}",
-        *(f"property double {name}" for name in names),
-        f"element face {len(mesh.faces)}",
-        "property list uchar int vertex_indices",
-        "end_header",
-    ]
-    with open(path, "wb") as file:
-        file.write("\n".join(header).encode() + b"\n")
-        file.write(np.column_stack(list(columns.values())).astype("<f8").tobytes())
-        file.write(faces.tobytes())
+    ply(path, columns, mesh.faces, {}, _lines(about))
 
 
 def write_text(path, mesh: Mesh, about: dict) -> None:

@@ -30,7 +30,7 @@ class View:
         self.axes = np.array([right, np.cross(eye, right), eye])
         points = mesh.vertices @ self.axes.T
         inside = np.ones(len(points), dtype=bool)
-        for parameter, (low, high) in zip(mesh.uv.T, part or ()):
+        for parameter, (low, high) in zip(mesh.uv.T if part else (), part or ()):
             inside &= (parameter >= low) & (parameter <= high)
         low, high = points[inside].min(0), points[inside].max(0)
         scale = (1 - 2 * MARGIN) * np.min(np.array(size) / (high - low)[:2])

@@ -1,0 +1,82 @@
+"""What the verbs share: errors and exit codes, JSON, warnings, progress, tables of text."""
+
+import json
+import math
+import sys
+import time
+import warnings
+from contextlib import contextmanager
+
+import click
+
+PATIENCE = 1.0  # seconds before progress is shown
+
+json_option = click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
+threads_option = click.option(
+    "--threads", type=click.IntRange(1), default=1, show_default=True, help="Number of threads."
+)
+
+
+def put_json(document) -> None:
+    """Print a JSON document; NaN and infinities become null, NumPy's numbers and arrays lists."""
+    print(json.dumps(_plain(document), indent=2, allow_nan=False))
+
+
+def _plain(value):
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, dict):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+@contextmanager
+def told_warnings():
+    """Print warnings as they come, one line each on stderr; yield the list of their words."""
+    said = []
+
+    def show(message, category, filename, lineno, file=None, line=None):
+        words = " ".join(str(message).split())
+        if words not in said:
+            said.append(words)
+            print(f"warning: {words}", file=sys.stderr)
+
+    with warnings.catch_warnings():
+        from curvlib.errors import MeshWarning
+
+        warnings.simplefilter("ignore")
+        warnings.simplefilter("always", MeshWarning)
+        warnings.showwarning = show
+        yield said
+
+
+def progress(items, words):
+    """Yield the items; after a second `words(item)` and their number are shown on a terminal."""
+    items, start, shown = list(items), time.monotonic(), False
+    for number, item in enumerate(items):
+        if sys.stderr.isatty() and time.monotonic() - start > PATIENCE:
+            shown = True
+            bar = "#" * (20 * number // len(items))
+            line = f"[{bar:<20}] {number}/{len(items)} {words(item)}"
+            print(f"\r\x1b[K{line}", end="", file=sys.stderr, flush=True)
+        yield item
+    if shown:
+        print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+
+
+def number(value) -> str:
+    """Four significant digits; "-" for NaN."""
+    return "-" if value != value else f"{value:.4g}"
+
+
+def put_table(head, rows) -> None:
+    """Print rows of text in columns, the first to the left, the others to the right."""
+    table = [list(map(str, row)) for row in (head, *rows)]
+    widths = [max(map(len, column)) for column in zip(*table)]
+    for first, *others in table:
+        cells = [first.ljust(widths[0]), *(c.rjust(w) for c, w in zip(others, widths[1:]))]
+        print("  ".join(cells).rstrip())
