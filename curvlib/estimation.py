@@ -30,9 +30,10 @@ def estimate(mesh, estimator=None, threads: int = 1, per: str = "vertex", **opti
         of `normal="exact"`. Points that stand at one place, as readers leave them that split
         corners, are joined for the estimate as `curvlib.weld` does; values are at all of them.
     estimator : str, path, callable, or a list of them
-        By default `quadric`, or `tensor_voting` per face. A name in `curvlib.estimators()` or, for that of another library, in `curvlib.peers()`; the
-        path of a .py file like those in `curvlib/estimators`; or a function with the signature of
-        their `estimate`. The estimators of a list share the rings or the adjacency.
+        By default `quadric`, or `tensor_voting` per face. A name in `curvlib.estimators()` or, for
+        that of another library, in `curvlib.peers()`; the path of a .py file like those in
+        `curvlib/estimators`; or a function with the signature of their `estimate`. The estimators
+        of a list share the rings or the adjacency.
     threads : int
         Number of threads; values do not depend on it.
     per : {"vertex", "face"}

@@ -6,13 +6,15 @@ from pathlib import Path
 import click
 
 from .terminal import (
+    csv_text,
     json_option,
     number,
     progress,
     put_json,
-    put_table,
+    table_text,
     threads_option,
     told_warnings,
+    write_csv,
 )
 
 
@@ -152,11 +154,11 @@ def _run(path, names, out, png, per, columns, by, as_json, options):
         table = by_region(mesh, labels, labelled, all_columns, per, regions)
         document["regions"] = table
     if table and out and Path(out).suffix == ".csv":
-        _write_rows(out, table)
+        write_csv(out, table)
     elif out:
         write(out, mesh, all_columns, per)
     if table and not (out and Path(out).suffix == ".csv") and not as_json:
-        print(_rows(table), end="")
+        print(csv_text(table), end="")
     if png:
         from curvlib.figures.values import picture
 
@@ -227,35 +229,10 @@ def _options(name, options):
 
 def _summary(say, name, options, estimates, spread, probabilities):
     """Print the quantiles over the area, and what is undefined by cause."""
-    from contextlib import redirect_stdout
-    from io import StringIO
-
     words = ", ".join(f"{option}={value}" for option, value in options.items())
     say(f"{name}{f'({words})' if words else ''}, quantiles over the area:")
-    with redirect_stdout(StringIO()) as text:
-        put_table(
-            ("", *(f"{100 * p:.0f} %" for p in probabilities)),
-            [(f"  {quantity}", *map(number, values)) for quantity, values in spread.items()],
-        )
-    say(text.getvalue().rstrip())
+    heads = ("", *(f"{100 * p:.0f} %" for p in probabilities))
+    rows = [(f"  {quantity}", *map(number, values)) for quantity, values in spread.items()]
+    say(table_text(heads, rows))
     undefined = ", ".join(f"{n} {cause}" for cause, n in estimates.undefined.items())
     say(f"  undefined: {undefined or 'nowhere'}")
-
-
-def _rows(table):
-    """CSV of a list of dicts with the same keys."""
-    import csv
-    from io import StringIO
-
-    text = StringIO()
-    writer = csv.DictWriter(text, table[0], lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(table)
-    return text.getvalue()
-
-
-def _write_rows(path, table):
-    from curvlib.files import whole_file
-
-    with whole_file(path) as part:
-        part.write_text(_rows(table), encoding="utf-8")

@@ -4,7 +4,7 @@ import ast
 
 import click
 
-from .terminal import json_option, put_json, put_table
+from .terminal import json_option, put_json, table_text
 
 
 @click.command()
@@ -46,7 +46,7 @@ def command(name, as_json):
             (option, str(values[0]), ", ".join(map(str, values[1:])) or "a length")
             for option, values in options.items()
         ]
-        put_table(("option", "default", "others"), rows)
+        print(table_text(("option", "default", "others"), rows))
         print()
     print(described)
     print(f"\nnext: curvlib estimate MESH -e {name}")

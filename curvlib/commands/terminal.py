@@ -1,5 +1,7 @@
 """What the verbs share: errors and exit codes, JSON, warnings, progress, tables of text."""
 
+import csv
+import io
 import json
 import math
 import sys
@@ -73,10 +75,29 @@ def number(value) -> str:
     return "-" if value != value else f"{value:.4g}"
 
 
-def put_table(head, rows) -> None:
-    """Print rows of text in columns, the first to the left, the others to the right."""
+def table_text(head, rows) -> str:
+    """Rows of text in columns, the first to the left, the others to the right."""
     table = [list(map(str, row)) for row in (head, *rows)]
     widths = [max(map(len, column)) for column in zip(*table)]
+    lines = []
     for first, *others in table:
         cells = [first.ljust(widths[0]), *(c.rjust(w) for c, w in zip(others, widths[1:]))]
-        print("  ".join(cells).rstrip())
+        lines.append("  ".join(cells).rstrip())
+    return "\n".join(lines)
+
+
+def csv_text(rows: list[dict]) -> str:
+    """CSV of rows with the same keys."""
+    text = io.StringIO()
+    writer = csv.DictWriter(text, rows[0], lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return text.getvalue()
+
+
+def write_csv(path, rows: list[dict]) -> None:
+    """Write `csv_text`, whole or not at all."""
+    from curvlib.files import whole_file
+
+    with whole_file(path) as part:
+        part.write_text(csv_text(rows), encoding="utf-8")

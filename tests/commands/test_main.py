@@ -30,7 +30,7 @@ def test_bad_input_is_one_line(capsys):
 
 
 def test_an_interruption_is_one_line_without_a_traceback():
-    """As in a shell, where Ctrl-C gives status 128 + SIGINT. The terminal shows ^C on a line first."""
+    """As in a shell, where Ctrl-C gives status 128 + SIGINT; first the line with ^C ends."""
     code = (
         "import os, signal, sys\n"
         # A shell's background job inherits that it is ignored.
