@@ -124,6 +124,10 @@ class Catalogue:
             if file in self._shown:
                 where = f"{self.what} {self._shown[file]}, line {line}"
                 return InputError(f"{where}: {type(error).__name__}: {_in_one_line(error)}")
+        # Of an unknown name Numba says no line; the package's own files compile.
+        theirs = [shown for shown in self._shown.values() if _is_path(shown)]
+        if theirs and type(error).__module__.startswith("numba."):
+            return InputError(f"{self.what} {theirs[-1]}: {_in_one_line(error)}")
         return None
 
     def _from_elsewhere(self, name):

@@ -7,6 +7,7 @@ import sys
 import click
 
 from curvlib import __version__
+from curvlib.catalogue import estimators
 from curvlib.errors import InputError
 
 # In the order of work.
@@ -58,3 +59,9 @@ def main(arguments=None) -> int:
     except (KeyboardInterrupt, click.Abort):
         print("interrupted", file=sys.stderr)
         return 130
+    except Exception as error:
+        told = estimators.told(error)
+        if told is None:
+            raise  # a fault of ours
+        print(f"error: {told}", file=sys.stderr)
+        return 1

@@ -61,7 +61,7 @@ def polydata(mesh, named: dict, per: str = "vertex"):
     data = pyvista.PolyData.from_regular_faces(np.array(mesh.vertices), np.array(mesh.faces))
     place = data.point_data if per == "vertex" else data.cell_data
     for name, values in named.items():
-        place[name] = values
+        place[name] = np.array(values)
     return data
 
 
