@@ -182,8 +182,11 @@ def _mended(mesh, weld, orient):
 
     kept, mended = np.arange(len(mesh.vertices)), {}
     if orient:
-        # Triangles agree over edges, which a soup has only once its points are joined.
-        _, turned = curvlib.orient(curvlib.weld(mesh)[0])
+        # A soup has edges once all points at one place are one; welding would leave apart what
+        # does not agree.
+        _, first, place = np.unique(mesh.vertices, axis=0, return_index=True, return_inverse=True)
+        joined = curvlib.Mesh(mesh.vertices, first[place.reshape(-1)][mesh.faces], copy=False)
+        _, turned = curvlib.orient(joined)
         faces = np.where(turned[:, None], mesh.faces[:, ::-1], mesh.faces)
         mesh = curvlib.Mesh(mesh.vertices, faces, normals=mesh.normals)
         mended["triangles turned over"] = int(turned.sum())

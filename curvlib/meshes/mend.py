@@ -12,8 +12,9 @@ def weld(mesh: Mesh, distance: float = 0.0) -> tuple[Mesh, np.ndarray]:
     """Join vertices that stand at one place, as readers leave them that split corners.
 
     Only vertices whose triangles do not close to a ring are joined, and only to others of which
-    that is true: closed sheets that touch stay apart. So do vertices whose triangles would form
-    neither a disk nor a half-disk together, but do so apart.
+    that is true: closed sheets that touch stay apart. Where the triangles would form neither a disk
+    nor a half-disk together, but do so apart, corners are joined of triangles that agree over an
+    edge of two.
 
     Parameters
     ----------
@@ -52,22 +53,41 @@ def weld(mesh: Mesh, distance: float = 0.0) -> tuple[Mesh, np.ndarray]:
     used[mesh.faces] = True
     loose = np.flatnonzero((stars != CLOSED) & used)
     groups = _groups(mesh.vertices[loose], distance)
-    apart = np.zeros(len(loose), dtype=bool)
-    while True:
-        index = np.arange(len(mesh.vertices))
-        # Those of a group that are not apart join the first of them.
-        together = np.flatnonzero(~apart)
-        _, first, inverse = np.unique(groups[together], return_index=True, return_inverse=True)
-        index[loose[together]] = loose[together[first[inverse.reshape(-1)]]]
-        welded = Mesh(mesh.vertices, index[mesh.faces], copy=False, normals=_means(mesh, index))
-        new = welded.find_adjacency().stars[index[loose]]
-        joined = np.bincount(index, minlength=len(index))[index[loose]] > 1
-        spoiled = joined & (new == BROKEN) & (stars[loose] != BROKEN)
-        # A group stays apart as a whole: else its rest would depend on the order of vertices.
-        spoiled = np.isin(groups, groups[spoiled]) & ~apart
-        if not spoiled.any():
-            return welded, index
-        apart |= spoiled
+    index, welded = _joined(mesh, loose, groups)
+    new = welded.find_adjacency().stars[index[loose]]
+    several = np.bincount(index, minlength=len(index))[index[loose]] > 1
+    spoiled = several & (new == BROKEN) & (stars[loose] != BROKEN)
+    if not spoiled.any():
+        return welded, index
+    # Elsewhere nothing changes, lest one fault leave its neighbours with two slits, theirs too.
+    spoiled = np.isin(groups, groups[spoiled])
+    fans = _fans(mesh, welded, index, np.isin(np.arange(len(index)), loose[spoiled]))
+    groups[spoiled] = groups.max() + 1 + fans[loose[spoiled]]
+    index, welded = _joined(mesh, loose, groups)
+    return welded, index
+
+
+def _joined(mesh, loose, groups):
+    """The index, each of the vertices `loose` joined to the first of its group, and the mesh."""
+    index = np.arange(len(mesh.vertices))
+    _, first, inverse = np.unique(groups, return_index=True, return_inverse=True)
+    index[loose] = loose[first[inverse.reshape(-1)]]
+    normals = _means(mesh, index)
+    return index, Mesh(mesh.vertices, index[mesh.faces], copy=False, normals=normals)
+
+
+def _fans(mesh, welded, index, among):
+    """(V,) numbers, equal for those of the vertices `among` (V,) bool that are to be joined: of
+    triangles on either side of an edge of two in the welded mesh, if they agree."""
+    edges = Edges(welded.faces)
+    first, second = edges.pairs().T
+    agree = edges.forward[first] != edges.forward[second]
+    first, second = first[agree], second[agree]
+    start, end = mesh.faces.reshape(-1), np.roll(mesh.faces, -1, axis=1).reshape(-1)
+    one = np.concatenate((start[first], end[first]))
+    other = np.concatenate((end[second], start[second]))
+    pairs = np.column_stack((one, other))[among[one] & among[other]]
+    return _connected(pairs, len(index))
 
 
 def _groups(points, distance):
@@ -75,13 +95,20 @@ def _groups(points, distance):
     if distance == 0:
         _, groups = np.unique(points, axis=0, return_inverse=True)
         return groups.reshape(-1)
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
 
-    a, b = cKDTree(points).query_pairs(distance, output_type="ndarray").T
-    near = coo_matrix((np.ones(len(a), bool), (a, b)), (len(points), len(points)))
-    return connected_components(near, directed=False)[1]
+    pairs = cKDTree(points).query_pairs(distance, output_type="ndarray")
+    return _connected(pairs, len(points))
+
+
+def _connected(pairs, count):
+    """(count,) the number of each one's component."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    a, b = pairs.T
+    graph = coo_matrix((np.ones(len(a), bool), (a, b)), (count, count))
+    return connected_components(graph, directed=False)[1]
 
 
 def _means(mesh, index):

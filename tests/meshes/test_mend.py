@@ -124,3 +124,25 @@ def test_what_cannot_be_oriented_stays():
     none = curvlib.Mesh(np.zeros((3, 3)), np.zeros((0, 3), int))
     assert orient(none)[1].shape == (0,)
     assert weld(none)[1].tolist() == [0, 1, 2]
+
+
+@pytest.mark.parametrize("fault", ["turned", "fin", "there twice", "left out"])
+def test_one_fault_in_a_soup_is_felt_at_its_corners_alone(fault):
+    sphere = curvlib.tessellate(curvlib.surface("sphere"), 12)
+    faces = [list(face) for face in sphere.faces]
+    points = np.vstack((sphere.vertices, [[0, 0, 3.0]]))
+    corners = faces[100]
+    if fault == "turned":
+        faces[100] = corners[::-1]
+    elif fault == "fin":
+        faces.append([corners[0], corners[1], len(points) - 1])
+    elif fault == "there twice":
+        faces.append(corners)
+    else:
+        del faces[100]
+    faces = np.array(faces)
+    soup = points[faces].reshape(-1, 3)
+    welded, index = weld(curvlib.Mesh(soup, np.arange(faces.size).reshape(-1, 3)))
+    away = ~np.isin(faces, [*corners, len(points) - 1]).reshape(-1)
+    assert welded.closed[index[away]].all()
+    assert len(np.unique(index[away])) == len(sphere.vertices) - 3
