@@ -204,6 +204,11 @@ def test_a_file_of_ones_own(tmp_path, monkeypatch, capsys):
         (["estimate", "ball.ply", "-o", "out.docx"], "cannot tell the format"),
         (["estimate", "ball.ply", "-o", "ball.ply/out.vtp"], "ball.ply"),
         (["estimate", "ball.ply", "-o", "."], "is a folder"),
+        (["estimate", "ball.ply", "-o", "/proc/out.vtp"], "/proc/out.vtp"),
+        (
+            ["estimate", "ball.ply", "-e", "meyer", "--rings", "2"],
+            "option of meyer 'rings'; valid: none",
+        ),
         (["estimate", "ball.ply", "--picture", "a.jpg"], "a picture is a .png file"),
         (["estimate", "ball.ply", "-e", "meyer", "--per", "face"], "at vertices alone"),
         (["estimate", "broken.ply"], "cannot read it"),
