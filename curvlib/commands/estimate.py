@@ -13,6 +13,7 @@ from .terminal import (
     put_json,
     table_text,
     threads_option,
+    told_of_compiling,
     told_warnings,
     write_csv,
 )
@@ -66,7 +67,7 @@ def command(meshes, names, output, per, columns, by, picture, as_json, **options
     outputs = _outputs(meshes, output, per), _outputs(meshes, picture, None)
     told = []
     for mesh, out, png in progress(list(zip(meshes, *outputs)), lambda item: item[0]):
-        with told_warnings() as warnings:
+        with told_warnings() as warnings, told_of_compiling():
             document = _run(mesh, list(names), out, png, per, columns, by, as_json, options)
         told.append(document | {"warnings": warnings})
     if as_json:

@@ -70,6 +70,29 @@ def progress(items, words):
         print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 
 
+@contextmanager
+def told_of_compiling():
+    """Say once, on a terminal, that an estimator is being compiled; kept code says nothing."""
+    if not sys.stderr.isatty():
+        yield
+        return
+    from numba.core import event
+
+    class Listener(event.Listener):
+        said = False
+
+        def on_start(self, event):
+            if not self.said:
+                print("compiling, once per machine and version", file=sys.stderr)
+            self.said = True
+
+        def on_end(self, event):
+            """Nothing is said at the end."""
+
+    with event.install_listener("numba:compile", Listener()):
+        yield
+
+
 def number(value) -> str:
     """Four significant digits; "-" for NaN."""
     return "-" if value != value else f"{value:.4g}"

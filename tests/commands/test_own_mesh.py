@@ -2,6 +2,7 @@
 
 import json
 import os
+import pty
 import subprocess
 import sys
 
@@ -285,3 +286,16 @@ def test_progress_is_silent_where_stderr_is_no_terminal(ball):
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stderr == ""
     assert done.stdout.count("quantiles over the area") == 2
+
+
+def test_compiling_is_told_once_on_a_terminal(ball, tmp_path):
+    """By a pseudo-terminal; code that is kept is not compiled again."""
+    leader, follower = pty.openpty()
+    command = [sys.executable, "-c", PROGRAM, "estimate", "ball.ply", "-e", "meyer"]
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path / "kept")}
+    told = []
+    for _ in range(2):
+        subprocess.run(command, env=environment, stderr=follower, check=True)
+        os.write(follower, b"end\n")
+        told.append(os.read(leader, 1000).replace(b"\r\n", b"\n"))
+    assert told == [b"compiling, once per machine and version\nend\n", b"end\n"]
