@@ -11,7 +11,7 @@ import curvlib
 from curvlib.claims.cell import NINE as PAPER
 from curvlib.conformance.checks import CHECKS
 from curvlib.conformance.run import verdicts
-from curvlib.conformance.subject import Subject, fan, icosphere
+from curvlib.conformance.subject import NotApplicable, Subject, fan, icosphere
 from curvlib.signatures import readings
 
 ESTIMATORS = curvlib.estimators()
@@ -24,7 +24,11 @@ def test_the_nine_of_the_paper_are_there():
 @pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.__name__)
 @pytest.mark.parametrize("name", ESTIMATORS)
 def test_conformance(name, check):
-    check(Subject(name))
+    subject = Subject(name)
+    try:
+        check(subject)
+    except NotApplicable:
+        assert subject.spreads
 
 
 @pytest.mark.parametrize("name", PAPER)
