@@ -117,5 +117,8 @@ def test_compiling_is_told_once_on_a_terminal(ball, tmp_path):
     for _ in range(2):
         subprocess.run(command, env=environment, stderr=follower, check=True)
         os.write(follower, b"end\n")
-        told.append(os.read(leader, 1000).replace(b"\r\n", b"\n"))
+        said = b""
+        while not said.endswith(b"end\r\n"):
+            said += os.read(leader, 1000)
+        told.append(said.replace(b"\r\n", b"\n"))
     assert told == [b"compiling, once per machine and version\nend\n", b"end\n"]
