@@ -7,6 +7,9 @@ import numpy as np
 
 from .errors import MeshWarning
 
+# What estimators are given that need a disk or half-disk instead of a ring.
+DISKS = ("disk", "ball", "passes")
+
 
 class Estimates:
     """Pointwise curvature at the vertices of a mesh; NaN where undefined.
@@ -26,6 +29,10 @@ class Estimates:
         symmetric saddle; NaN where k1 = k2 = 0.
     curvedness : ndarray of float64, (V,)
         sqrt((k1^2 + k2^2) / 2), in 1/length.
+    K_error, H_error : ndarray of float64, (V,), or None
+        Their standard errors; None where the estimator does not return them.
+    choice : curvlib.kit.tensor.Choice or None
+        What an estimator that chooses took at each vertex: `choice.calls[choice.index[v]]`.
     returned : tuple of str
         The quantities that the estimator returns; others follow from K and H, or are undefined.
     mesh : Mesh
@@ -47,14 +54,19 @@ class Estimates:
     >>> K, H = estimates
     """
 
-    def __init__(self, mesh, found: dict, given: str, per: str = "vertex", welded=None, index=None):
+    def __init__(
+        self, mesh, found: dict, given: str, per: str = "vertex", welded=None, index=None, choice=None
+    ):
         """`found`: the arrays that the estimator returned, by name; `given`: what it was given;
         `welded` and `index`: as `curvlib.weld` returns them, where `mesh` has been welded."""
         self.mesh, self.per = mesh, per
         self._mesh, self._given, self._index = mesh if welded is None else welded, given, index
         if index is not None and per == "vertex":
             found = {name: values[index] for name, values in found.items()}
-        self._found = found
+            choice = choice and choice._replace(index=choice.index[index])
+        self.K_error, self.H_error = found.get("K_error"), found.get("H_error")
+        self._found = {name: x for name, x in found.items() if not name.endswith("_error")}
+        self.choice = choice
         count = len(mesh.vertices if per == "vertex" else mesh.faces)
         self.d1, self.d2 = found.get("d1"), found.get("d2")
         for name in ("K", "H"):
@@ -183,7 +195,7 @@ class Estimates:
 def _stars(mesh, given):
     """(V,) bool: an estimator is given the ring or disk of the vertex; its triangles close to one
     ring."""
-    if given not in ("disk", "ball"):
+    if given not in DISKS:
         return mesh.closed, mesh.closed
     from .meshes.neighbourhoods import BROKEN, CLOSED
 
@@ -200,7 +212,7 @@ def _causes(mesh, lacking, given, index=None):
         used, usable, boundary = used[index], usable[index], boundary[index]
     causes = {"no triangle": (lacking & ~used).sum()}
     open_ = lacking & used & ~usable
-    if given in ("disk", "ball"):
+    if given in DISKS:
         causes["triangles that form no disk or half-disk"] = open_.sum()
     else:
         causes["boundary"] = (open_ & boundary).sum()

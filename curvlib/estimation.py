@@ -8,8 +8,9 @@ import numpy as np
 from .errors import InputError, check_name
 from .estimates import Estimates, joined, warn_of_undefined
 from .meshes.exchange import as_mesh
-from .passes import Task, run
+from .passes import run
 from .signatures import Signature, resolved
+from .task import Task
 
 # Without a name: what has values on scans and at boundaries, and converges on irregular meshes.
 RECOMMENDED = {"vertex": "quadric", "face": "tensor_voting"}
@@ -91,7 +92,7 @@ def estimate(mesh, estimator=None, threads: int = 1, per: str = "vertex", **opti
     for given in kinds:
         warn_of_undefined(welded, given, index)
     results = {
-        each: Estimates(mesh, task.arrays, task.given, per, welded, index)
+        each: Estimates(mesh, task.arrays, task.given, per, welded, index, task.choice)
         for each, task in tasks.items()
     }
     return results if several else results[estimator]

@@ -1,90 +1,20 @@
 """Passes over the vertices of a mesh: gather rings, disks or balls in blocks that stay in cache,
 call estimators, scatter their values."""
 
-import threading
-
 import numpy as np
 
-from .catalogue import estimators
 from .errors import InputError
-from .kit.batch import gather, scatter
-from .kit.tensor import Curvatures
+from .kit.batch import gather
 from .meshes.around import BALL, DISK, GEODESIC, WIDEST, Reach
 from .meshes.facets import facets
 from .meshes.loops import Neighbourhoods
+from .meshes.mesh import Mesh
+from .meshes.neighbourhoods import BROKEN
 from .parallel import for_each
+from .signatures import Signature
 
 # Ring slots (valence times vertices) per block: an array of a block takes 192 KiB.
 BLOCK = 24576
-OURS = f"{estimators.package}."
-# Power of 1/length that each quantity scales with.
-POWERS = {"K": 2, "H": 1, "k1": 1, "k2": 1, "d1": 0, "d2": 0}
-
-
-class Task:
-    """An estimator with its options, and the arrays that it returned, scattered to the vertices.
-
-    `per`: "vertex", or "face" where the estimator is run over the centres of triangles.
-    """
-
-    def __init__(self, signature, options, mesh, per):
-        self.name, self.function = signature.name, signature.function
-        self.given, self.per = signature.given, per
-        self.ours = getattr(self.function, "__module__", "").startswith(OURS)
-        self.arrays, self._lock = {}, threading.Lock()
-        self.count = len(mesh.vertices if per == "vertex" else mesh.faces)
-        self.signature, self.chosen = signature, signature.chosen(options)
-
-    def arguments(self, mesh, unit=1.0) -> dict:
-        """The options as the estimator takes them."""
-        return self.signature.arguments(self.chosen, mesh, unit)
-
-    def store(self, returned, at, start, end, unit):
-        """Scatter the values returned for the vertices at[start:end]; `unit` as in `gather`."""
-        for name, values in zip(self._names(returned), returned):
-            if values is None:
-                continue
-            values = self._checked(name, values, end - start)
-            target = self.arrays.get(name)
-            if target is None:
-                target = self._target(name, values.ndim)
-            if values.ndim == 1:
-                scatter(values, at, start, target, unit, POWERS[name])
-            else:
-                for component, column in zip(values, target.T):
-                    scatter(component, at, start, column, unit, POWERS[name])
-
-    def _target(self, name, dimensions):
-        with self._lock:  # the first block to finish allocates
-            if name not in self.arrays:
-                shape = (self.count, 3) if dimensions == 2 else self.count
-                self.arrays[name] = np.full(shape, np.nan)
-        return self.arrays[name]
-
-    def _names(self, returned):
-        """The names of the values that were returned; InputError where they are something else."""
-        names = getattr(returned, "_fields", ("K", "H"))
-        known = isinstance(returned, tuple) and names in (("K", "H"), Curvatures._fields)
-        if not known or len(returned) != len(names):
-            raise InputError(
-                f"estimator {self.name!r} has to return K and H, not {type(returned).__name__}; "
-                "or curvlib.kit.tensor.Curvatures"
-            )
-        return names
-
-    def _checked(self, name, values, count):
-        """The array (count,), or (3, count) of a direction; InputError for anything else."""
-        expected = (3, count) if name in ("d1", "d2") else (count,)
-        try:
-            found = np.asarray(values)
-        except ValueError as error:
-            raise InputError(f"estimator {self.name!r}: {name}: {error}") from None
-        if found.shape != expected or found.dtype.kind not in "biuf":
-            raise InputError(
-                f"estimator {self.name!r} returned an array of shape {found.shape} of "
-                f"{found.dtype} as {name}, expected {expected} of float64"
-            )
-        return np.asarray(found, dtype=float, order="C")
 
 
 def run(mesh, tasks, threads) -> None:
@@ -99,10 +29,65 @@ def run(mesh, tasks, threads) -> None:
             field = _field(mesh, graph, task.signature, task.chosen, threads)
             around = _around(graph, task.signature, options)
             task.arrays = around.estimates(task.function, tuple(options.values()), field, threads)
-        elif task.given == "mesh":
+        elif task.given in ("mesh", "passes"):
             every = np.arange(task.count, dtype=np.int32)
             with _quietly():
-                task.store(_of_mesh(mesh, task), every, 0, len(every), 1.0)
+                if task.given == "mesh":
+                    returned, unit = _of_mesh(mesh, task), 1.0
+                else:
+                    options, unit = task.arguments(mesh, mesh.unit), mesh.unit
+                    returned = task.function(Passes(mesh, threads), **options)
+                task.store(returned, every, 0, len(every), unit)
+
+
+class Passes:
+    """What an estimator is given that makes passes of its own: it runs functions of disks and balls
+    at all vertices or some, and sees their values before it chooses the next.
+
+    Coordinates, lengths and values are in the unit of disks. Functions are written like
+    `estimate(disk, ...)`, fields and options included.
+
+    Attributes
+    ----------
+    vertices : (V, 3)
+    faces : (F, 3)
+    centres : (m,) int32
+        The vertices that have a disk.
+    mean_edge : float
+    """
+
+    def __init__(self, mesh, threads):
+        adjacency = mesh.find_adjacency(threads)
+        if mesh.unit != 1:
+            mesh = Mesh(mesh.vertices * mesh.unit, mesh.faces, normals=mesh.normals)
+            mesh._adjacency = adjacency
+        self._mesh, self._threads = mesh, threads
+        self._graph = _graph(mesh, "vertex", threads)
+        self.vertices, self.faces, self.mean_edge = mesh.vertices, mesh.faces, mesh.mean_edge
+        self.centres = np.flatnonzero(adjacency.stars != BROKEN).astype(np.int32)
+
+    def estimates(self, function, vertices=None, **options) -> dict:
+        """The values of an estimator at m vertices, all by default: name -> (m,), or (3, m) of a
+        direction; empty where none of them has a disk."""
+        signature, graph, field, given = self._prepared(function, vertices, options)
+        around = _around(graph, signature, given)
+        found = around.estimates(function, tuple(given.values()), field, self._threads)
+        return {name: x.T for name, x in found.items()}
+
+    def field(self, function, vertices=None, **options):
+        """The components (c, m) that a function returns at m vertices, all by default; NaN where
+        there is no disk, (0, m) where there is none at all."""
+        signature, graph, field, given = self._prepared(function, vertices, options)
+        around = _around(graph, signature, given)
+        return around.field(function, tuple(given.values()), field, self._threads).T
+
+    def _prepared(self, function, vertices, options):
+        signature = Signature.of(function.__name__, function)
+        chosen, graph = signature.chosen(options), self._graph
+        if vertices is not None:
+            graph = graph._replace(at=np.ascontiguousarray(vertices, np.int32))
+        field = _field(self._mesh, graph, signature, chosen, self._threads)
+        return signature, graph, field, signature.arguments(chosen, self._mesh, 1.0)
 
 
 def _of_mesh(mesh, task):
@@ -161,8 +146,9 @@ def _graph(mesh, per, threads):
     # Read only as the vertices of a mesh: one type, compiled once.
     centres, normals = centres.view(), normals.view()
     centres.flags.writeable = normals.flags.writeable = False
+    at, unit = np.arange(len(centres), dtype=np.int32), mesh.unit
     return Reach(
-        centres, offsets, neighbours, stars, normals, areas, mesh.unit, 1, np.inf, False, None
+        centres, offsets, neighbours, stars, normals, areas, unit, 1, np.inf, False, at, None
     )
 
 
@@ -176,7 +162,9 @@ def _around(graph, signature, options):
 
 
 def _field(mesh, graph, signature, chosen, threads):
-    """The field (V, c) of a signature, None if it takes none; NaN where there is no ring or disk.
+    """The field (V, c) of a signature, None if it takes none; NaN where there is no ring or disk,
+    and where the disks or balls of the vertices `graph.at` do not reach. Equations are solved at
+    all vertices.
 
     It gets those of the chosen options that it has, and its own defaults for others.
     """
@@ -185,12 +173,25 @@ def _field(mesh, graph, signature, chosen, threads):
         return None
     shared = beside.chosen({x: chosen[x] for x in beside.options if x in chosen})
     options = beside.arguments(shared, mesh, mesh.unit)
+    if graph is None and beside.given in ("disk", "ball"):
+        graph = _graph(mesh, "vertex", threads)
+    some = graph is not None and len(graph.at) < len(graph.vertices) and not beside.coupled
+    if beside.coupled:
+        graph = graph._replace(at=np.arange(len(graph.vertices), dtype=np.int32))
+    elif some:
+        own = signature.arguments(chosen, mesh, mesh.unit)
+        graph = graph._replace(at=_around(graph, signature, own).reached(threads))
     field = _field(mesh, graph, beside, shared, threads)
     if beside.given in ("disk", "ball"):
-        graph = _graph(mesh, "vertex", threads) if graph is None else graph
         around = _around(graph, beside, options)
-        solved = around.solution if beside.coupled else around.field
-        return solved(beside.function, tuple(options.values()), field, threads)
+        if beside.coupled:
+            return around.solution(beside.function, tuple(options.values()), field, threads)
+        found = around.field(beside.function, tuple(options.values()), field, threads)
+        if not some:
+            return found
+        values = np.full((len(graph.vertices), found.shape[1]), np.nan)
+        values[graph.at] = found
+        return values
     found = []
 
     def work(ring, at, neighbours, start, end):

@@ -12,7 +12,7 @@ from .kit.coupled import Coupled
 from .kit.options import Geodesic, Length, Lengths, Option
 
 # Valid names of an estimator's first parameter, which say what it is given.
-GIVEN = ("ring", "disk", "ball", "mesh")
+GIVEN = ("ring", "disk", "ball", "mesh", "passes")
 # Parameters of `curvlib.estimate` itself: no option can have such a name.
 RESERVED = ("mesh", "estimator", "threads", "per")
 
@@ -82,7 +82,8 @@ class Signature:
             first.POSITIONAL_OR_KEYWORD,
         ):
             raise InputError(
-                f"estimator {name!r}: its first parameter has to be ring, disk, ball or mesh"
+                f"estimator {name!r}: its first parameter has to be ring, disk, ball, mesh or "
+                "passes"
             )
         check_name("first parameter", first.name, GIVEN, f"estimator {name!r}")
         self.given, rest = first.name, parameters[1:]

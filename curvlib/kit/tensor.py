@@ -20,6 +20,21 @@ At one point numbers and triples; of a batch of m arrays (m,) and, component fir
 stands for a quantity that is not estimated.
 """
 
+Assessed = namedtuple("Assessed", (*Curvatures._fields, "K_error", "H_error", "choice"))
+Assessed.__doc__ = """Curvatures, standard errors of K and H, None where not estimated, and the
+Choice of the method."""
+
+Choice = namedtuple("Choice", "calls index")
+Choice.__doc__ = """What an estimator chose at each vertex.
+
+Attributes
+----------
+calls : tuple of str
+    Such as "jet(degree=6, rings=3)".
+index : (V,) uint8
+    Into `calls`.
+"""
+
 # Principal curvatures that differ by less than this part of the larger are equal: an umbilic.
 UMBILIC = 1e-9
 

@@ -24,7 +24,7 @@ from .searches import k_rings, within
 WIDEST = 32
 
 Reach = namedtuple(
-    "Reach", "vertices offsets neighbours stars normals areas unit rings radius geodesic field"
+    "Reach", "vertices offsets neighbours stars normals areas unit rings radius geodesic at field"
 )
 Reach.__doc__ = """What is gathered from, and how far.
 
@@ -45,6 +45,8 @@ radius : float
     Instead of rings where it is finite.
 geodesic : bool
     Whether the radius is measured along edges.
+at : (m,) int32
+    The vertices that have the neighbourhoods.
 field : (V, c)
     That of the estimator; (V, 0) if it takes none.
 """

@@ -1,4 +1,4 @@
-"""Functions of disks and balls, run over the vertices of a mesh in compiled loops."""
+"""Functions of disks and balls, run over vertices of a mesh in compiled loops."""
 
 import functools
 
@@ -22,7 +22,7 @@ RETURNS = "has to return K and H, or curvlib.kit.tensor.Curvatures"
 
 
 class Neighbourhoods:
-    """The disks or balls of a mesh, or of the centres of its triangles.
+    """The disks or balls of vertices of a mesh, or of the centres of its triangles.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ class Neighbourhoods:
         self._length = MOST + int(np.diff(reach.offsets).max(initial=0)) + 1
 
     def estimates(self, function, options, field, threads) -> dict:
-        """The values of an estimator at all vertices, in the unit of the mesh.
+        """The values of an estimator at the m vertices, in the unit of the mesh.
 
         Parameters
         ----------
@@ -50,10 +50,10 @@ class Neighbourhoods:
         Returns
         -------
         dict
-            Name -> (V,) or (V, 3), NaN where there is no disk, of what the function returns; empty
+            Name -> (m,) or (m, 3), NaN where there is no disk, of what the function returns; empty
             where there is no disk at all.
         """
-        count = len(self._reach.vertices)
+        count = len(self._reach.at)
         self._take(field)
         # Memory of those that the function does not return is never touched.
         out = Curvatures(*(np.empty(count) for _ in range(4)), *np.empty((2, count, 3)))
@@ -69,18 +69,18 @@ class Neighbourhoods:
         return found
 
     def field(self, function, options, field, threads):
-        """The components (V, c) that a function returns at all vertices, NaN where there is no
-        disk; (V, 0) where there is none at all. Parameters as those of `estimates`."""
+        """The components (m, c) that a function returns at the m vertices, NaN where there is no
+        disk; (m, 0) where there is none at all. Parameters as those of `estimates`."""
         self._take(field)
         loop = _field(function, field is None, *self._kind)
         rule = f"{function.__name__!r} has to return a tuple of numbers"
-        out = np.empty((len(self._reach.vertices), self._probe(loop, rule, options) or 0))
+        out = np.empty((len(self._reach.at), self._probe(loop, rule, options) or 0))
         self._run(loop, rule, self._blocks(), out, options, threads)
         return out
 
     def solution(self, function, options, field, threads):
         """The values (V, c) of a function that returns Coupled, as `curvlib.kit.coupled` says; NaN
-        where there is no disk. Parameters as those of `estimates`."""
+        where there is no disk. Parameters as those of `estimates`; the m vertices are all."""
         self._take(field)
         loop = stored(_compiled(function), field is None, *self._kind)
         rule = f"{function.__name__!r} has to return Coupled"
@@ -93,21 +93,28 @@ class Neighbourhoods:
         found = self._run(stored_by, rule, self._blocks(), own, options, threads)
         return solve([block for block, _ in found], own, threads)
 
+    def reached(self, threads) -> np.ndarray:
+        """The vertices in the disks, or corners of the balls, of the m vertices, and these."""
+        self._take(None)
+        found = np.zeros(len(self._reach.vertices), bool)
+        self._run(_reached(*self._kind), "a search", self._blocks(), found, (), threads)
+        return np.flatnonzero(found).astype(np.int32)
+
     def _take(self, field):
         """Where there is no field, an array that is not used."""
         nothing = np.empty((len(self._reach.vertices), 0))
         self._reach = self._reach._replace(field=nothing if field is None else field)
 
     def _blocks(self):
-        count = len(self._reach.vertices)
+        count = len(self._reach.at)
         return [(start, min(start + BLOCK, count)) for start in range(0, count, BLOCK)]
 
     def _probe(self, loop, rule, options):
         """What a loop returns for the first vertex that has a disk; None where none has. Memory of
         others is never touched."""
-        at = np.flatnonzero(self._reach.stars != BROKEN)[:1]
-        wide = np.empty((len(self._reach.vertices), WIDEST))
-        found = self._run(loop, rule, [(v, v + 1) for v in at.tolist()], wide, options, 1)
+        places = np.flatnonzero(self._reach.stars[self._reach.at] != BROKEN)[:1]
+        wide = np.empty((len(self._reach.at), WIDEST))
+        found = self._run(loop, rule, [(k, k + 1) for k in places.tolist()], wide, options, 1)
         return found[0] if found else None
 
     def _run(self, loop, rule, blocks, out, options, threads):
@@ -150,7 +157,8 @@ def _estimates(function, alone, find, make):
 
     def loop(reach, start, end, memory, options, out):
         given = NONE
-        for v in range(start, end):
+        for place in range(start, end):
+            v = reach.at[place]
             if reach.stars[v] != BROKEN:
                 count = find(reach, memory, v)
                 if count < 0:
@@ -160,7 +168,7 @@ def _estimates(function, alone, find, make):
             else:
                 values = UNDEFINED
             for k in range(10):
-                memory.values[v - start, k] = values[k]
+                memory.values[place - start, k] = values[k]
         scatter(memory.values, start, end, reach.unit, given, out)
         return given
 
@@ -175,7 +183,8 @@ def _field(function, alone, find, make):
 
     def loop(reach, start, end, memory, options, out):
         components = 0
-        for v in range(start, end):
+        for place in range(start, end):
+            v = reach.at[place]
             if reach.stars[v] != BROKEN:
                 count = find(reach, memory, v)
                 if count < 0:
@@ -186,10 +195,32 @@ def _field(function, alone, find, make):
                 if components > width or (components < width and width < WIDEST):
                     raise InputError("a field has more than 32 components, or not always as many")
                 for k in range(components):
-                    out[v, k] = returned[k]
+                    out[place, k] = returned[k]
             else:
                 for k in range(out.shape[1]):
-                    out[v, k] = np.nan
+                    out[place, k] = np.nan
         return components
+
+    return kernel(loop)
+
+
+@functools.cache
+def _reached(find, make):
+    """The loop that marks who is found around vertices. Returns their number; None where the memory
+    does not suffice."""
+
+    def loop(reach, start, end, memory, options, out):
+        total = 0
+        for place in range(start, end):
+            v = reach.at[place]
+            if reach.stars[v] != BROKEN:
+                count = find(reach, memory, v)
+                if count < 0:
+                    return None
+                out[v] = True
+                for i in range(count):
+                    out[memory.found[i]] = True
+                total += count
+        return total
 
     return kernel(loop)
