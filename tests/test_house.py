@@ -28,8 +28,9 @@ DOORS = {
     "surfaces": {"catalogue", "errors", "nurbs"},
     "estimates": {"columns", "errors", "kit", "meshes", "regions"},
     "signatures": {"catalogue", "errors", "kit"},
-    "passes": {"catalogue", "errors", "kit", "meshes", "parallel"},
-    "estimation": {"errors", "estimates", "meshes", "passes", "signatures"},
+    "task": {"catalogue", "errors", "kit"},
+    "passes": {"errors", "kit", "meshes", "parallel", "signatures"},
+    "estimation": {"errors", "estimates", "meshes", "passes", "signatures", "task"},
     "dataset": {"errors", "files", "meshes", "nurbs"},
     "comparison": {
         "catalogue",

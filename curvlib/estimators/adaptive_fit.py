@@ -32,7 +32,7 @@ POWER_BALL = 4
 
 @kernel
 def clean(disk, rings: Literal[3] = 3):
-    """Half of f_xx + f_yy of three fits over three rings: of degree 6, through the vertex and with
+    """Half of f_xx + f_yy of three fits to a `disk` of three `rings`: of degree 6, through the vertex and with
     weights exp(-(hop / rings)^2), and with a constant; and of degree 4 with a constant."""
     N = disk.normal
     X, Y = tangents(N)
@@ -50,42 +50,44 @@ def clean(disk, rings: Literal[3] = 3):
 
 @kernel
 def quartic(disk, rings: Literal[13] = 13):
-    """f_xx, f_xy and f_yy of polynomials of degree 4 over each of RINGS[4]."""
-    X, Y, N = frame(disk)
-    a, b, c = over(disk, X, Y, N, 4, 3), over(disk, X, Y, N, 4, 4), over(disk, X, Y, N, 4, 5)
-    d, e, f = over(disk, X, Y, N, 4, 6), over(disk, X, Y, N, 4, 8), over(disk, X, Y, N, 4, 10)
-    return (*a, *b, *c, *d, *e, *f, *over(disk, X, Y, N, 4, 13))
+    """f_xx, f_xy and f_yy of polynomials of degree 4 over each of RINGS[4] of a `disk`;
+    `rings` is the last."""
+    X, Y, N = _frame(disk)
+    a, b, c = _over(disk, X, Y, N, 4, 3), _over(disk, X, Y, N, 4, 4), _over(disk, X, Y, N, 4, 5)
+    d, e, f = _over(disk, X, Y, N, 4, 6), _over(disk, X, Y, N, 4, 8), _over(disk, X, Y, N, 4, 10)
+    return (*a, *b, *c, *d, *e, *f, *_over(disk, X, Y, N, 4, 13))
 
 
 @kernel
 def sextic(disk, rings: Literal[8] = 8):
-    """f_xx, f_xy and f_yy of polynomials of degree 6 over each of RINGS[6]."""
-    X, Y, N = frame(disk)
-    a, b, c = over(disk, X, Y, N, 6, 3), over(disk, X, Y, N, 6, 4), over(disk, X, Y, N, 6, 5)
-    return (*a, *b, *c, *over(disk, X, Y, N, 6, 6), *over(disk, X, Y, N, 6, 8))
+    """f_xx, f_xy and f_yy of polynomials of degree 6 over each of RINGS[6] of a `disk`;
+    `rings` is the last."""
+    X, Y, N = _frame(disk)
+    a, b, c = _over(disk, X, Y, N, 6, 3), _over(disk, X, Y, N, 6, 4), _over(disk, X, Y, N, 6, 5)
+    return (*a, *b, *c, *_over(disk, X, Y, N, 6, 6), *_over(disk, X, Y, N, 6, 8))
 
 
 @kernel
-def frame(disk):
+def _frame(disk):
     """The normal of a polynomial of degree 2 over two rings, with tangents."""
     N = disk.normal
     X, Y = tangents(N)
-    within(disk, 2)
+    _within(disk, 2)
     derivatives, _ = fit_polynomial(disk, X, Y, N, 0, 2)
     _, N = from_graph(*derivatives, X, Y, N)
     return (*tangents(N), N)
 
 
 @kernel
-def over(disk, X, Y, N, degree, rings):
+def _over(disk, X, Y, N, degree, rings):
     """f_xx, f_xy and f_yy of a polynomial over some rings of a disk."""
-    within(disk, rings)
+    _within(disk, rings)
     derivatives, _ = fit_polynomial(disk, X, Y, N, 0, degree)
     return derivatives[2], derivatives[3], derivatives[4]
 
 
 @kernel
-def within(disk, rings):
+def _within(disk, rings):
     """Set the weights of a disk to 1 within some rings, else to 0."""
     for i in range(disk.count):
         disk.weights[i] = 1.0 if disk.hops[i] <= rings else 0.0
@@ -93,8 +95,8 @@ def within(disk, rings):
 
 @kernel
 def polynomial(disk, degree: Literal[4, 6] = 4, rings: Literal[3, 4, 5, 6, 8, 10] = 3):
-    """Curvatures of a polynomial with a constant over some rings, in the frame of one of degree 2
-    over them."""
+    """Curvatures of a polynomial of some `degree` with a constant over the `rings` of a `disk`, in
+    the frame of one of degree 2 over them."""
     N = disk.normal
     X, Y = tangents(N)
     derivatives, _ = fit_polynomial(disk, X, Y, N, 0, 2)
@@ -179,17 +181,16 @@ def _chosen(passes, sample):
 
 def _ball(passes, sample):
     """The radius at which ball_regression changes least on a sample, and the change; larger ones
-    are tried until it has risen twice."""
-    best, before, rises = (RADII[0], np.inf), None, 0
+    are tried until it rises. It falls again where the ball is the whole mesh."""
+    best, before = (RADII[0], np.inf), None
     for j, radius in enumerate(RADII):
         found = passes.estimates(ball_regression.estimate, sample, radius=f"{radius} edges")
         form = _tensor(found)
         if before is not None:
             change = _change(before, form, radius / RADII[j - 1], np.ones(9))
-            rises = 0 if change < best[1] else rises + 1
-            best = min(best, (RADII[j - 1], change), key=lambda pair: pair[1])
-        if rises == 2:
-            break
+            if not change < best[1]:
+                break
+            best = RADII[j - 1], change
         before = form
     return best
 
