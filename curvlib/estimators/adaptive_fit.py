@@ -32,8 +32,9 @@ POWER_BALL = 4
 
 @kernel
 def clean(disk, rings: Literal[3] = 3):
-    """Half of f_xx + f_yy of three fits to a `disk` of three `rings`: of degree 6, through the vertex and with
-    weights exp(-(hop / rings)^2), and with a constant; and of degree 4 with a constant."""
+    """Half of f_xx + f_yy of three fits to a `disk` of three `rings`: of degree 6, through the
+    vertex and with weights exp(-(hop / rings)^2), and with a constant; and of degree 4 with a
+    constant."""
     N = disk.normal
     X, Y = tangents(N)
     six, _ = fit_polynomial(disk, X, Y, N, 0, 6)
