@@ -167,5 +167,5 @@ def test_the_input_is_never_changed(sphere):
 
 
 def test_hints_are_for_names_alone(sphere):
-    with pytest.raises(curvlib.InputError, match=r"unknown estimator 3; valid: ball_regr"):
+    with pytest.raises(curvlib.InputError, match=r"unknown estimator 3; valid: adaptive_fit"):
         curvlib.estimate(sphere, 3)

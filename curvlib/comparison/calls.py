@@ -35,7 +35,8 @@ class Call(namedtuple("Call", "estimator options")):
         chosen = signature.chosen(self.options)
         if chosen.get("radius") is not None:
             return f"radius {chosen['radius']}"
-        if signature.given == "mesh" or (signature.field and signature.field.coupled):
+        coupled = signature.field and signature.field.coupled
+        if signature.given in ("mesh", "passes") or coupled:
             return "mesh"
         rings = chosen.get("rings", 1)
         return f"{rings} ring{'s' if rings > 1 else ''}" + (", twice" if signature.field else "")

@@ -134,6 +134,12 @@ def estimate(passes):
        4 and 2, and noise falls, so that D has a minimum; the family with the least D / p^2 is taken
        there. Where noise does not rule, degree 6 is `jet` over three rings.
 
+    Measured on 21 cases, noise of 0 to 0.2 mean edges along the normal on a torus, an ellipsoid and
+    a wave of other seeds and sizes than those that NOISE was set on: errors are 1.06 (K) and 1.09
+    (H) times the least of 26 fixed fits in the geometric mean, 1.6 and 2.1 times at worst. One
+    choice is made for the whole mesh: where noise differs between its parts or a few vertices are
+    far off, it is not the best everywhere.
+
     Order: that of what is taken; O(h^5) for degree 6.
 
     Source: degree 6 and 4, Cazals, Pouget (2005), Estimating differential quantities using
