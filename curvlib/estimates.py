@@ -55,7 +55,14 @@ class Estimates:
     """
 
     def __init__(
-        self, mesh, found: dict, given: str, per: str = "vertex", welded=None, index=None, choice=None
+        self,
+        mesh,
+        found: dict,
+        given: str,
+        per: str = "vertex",
+        welded=None,
+        index=None,
+        choice=None,
     ):
         """`found`: the arrays that the estimator returned, by name; `given`: what it was given;
         `welded` and `index`: as `curvlib.weld` returns them, where `mesh` has been welded."""
