@@ -66,6 +66,10 @@ class Passes:
         self.vertices, self.faces, self.mean_edge = mesh.vertices, mesh.faces, mesh.mean_edge
         self.centres = np.flatnonzero(adjacency.stars != BROKEN).astype(np.int32)
 
+    def moved(self, vertices):
+        """Passes over the mesh with its vertices at other places."""
+        return Passes(self._mesh.moved(vertices), self._threads)
+
     def estimates(self, function, vertices=None, **options) -> dict:
         """The values of an estimator at m vertices, all by default: name -> (m,), or (3, m) of a
         direction; empty where none of them has a disk."""

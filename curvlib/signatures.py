@@ -103,7 +103,7 @@ class Signature:
                 "function of this name beside it, to be run over all vertices first"
             )
         field = Signature.of(f"{name} of {self.name}", beside, above)
-        check_name("first parameter", field.given, GIVEN[:-1], f"estimator {field.name!r}")
+        check_name("first parameter", field.given, GIVEN[:3], f"estimator {field.name!r}")
         return field
 
     def _values(self, p):

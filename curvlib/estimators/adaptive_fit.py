@@ -5,6 +5,7 @@ from typing import Literal
 import numpy as np
 
 from curvlib.kit.compiled import kernel
+from curvlib.kit.displaced import displaced, placed, suspects
 from curvlib.kit.polynomial import fit_polynomial
 from curvlib.kit.tensor import Assessed, Choice, Curvatures, from_graph
 from curvlib.kit.vectors import tangents
@@ -16,6 +17,8 @@ SOURCE = "https://doi.org/10.1016/j.cagd.2004.09.004"
 STYLE = {"color": "#000000", "marker": "P", "linestyle": "-"}
 GLOBAL = "the choice is made for the whole mesh"
 
+# Of searches for displaced vertices.
+ROUNDS = 3
 # Vertices on which the choice is made.
 SAMPLE = 400
 # By degree.
@@ -145,6 +148,7 @@ def estimate(passes):
     Source: degree 6 and 4, Cazals, Pouget (2005), Estimating differential quantities using
     polynomial fitting of osculating jets; least change between scales, after Lepski (1991).
     """
+    passes = _mended(passes)
     sample = passes.centres
     if len(sample) > SAMPLE:
         sample = np.sort(np.random.default_rng(0).choice(sample, SAMPLE, replace=False))
@@ -153,6 +157,22 @@ def estimate(passes):
     index = np.zeros(len(passes.vertices), np.uint8)
     curvatures = Curvatures(*(found.get(name) for name in Curvatures._fields))
     return Assessed(*curvatures, None, None, Choice((call,), index))
+
+
+def _mended(passes):
+    """Passes over the mesh whose displaced vertices are brought back. Where several are near each
+    other, a round finds the others once the first are back."""
+    for _ in range(ROUNDS):
+        far = np.flatnonzero((passes.field(suspects)[3:] == 1).any(0))
+        far = far[(passes.field(displaced, far)[3:] == 1).any(0)]
+        moves = passes.field(placed, far).T
+        known = np.isfinite(moves).all(1)
+        if not known.any():
+            break
+        vertices = passes.vertices.copy()
+        vertices[far[known]] += moves[known]
+        passes = passes.moved(vertices)
+    return passes
 
 
 def _chosen(passes, sample):

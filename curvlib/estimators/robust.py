@@ -17,6 +17,7 @@ from curvlib.kit.reweighted import (
     fit_absolute,
     fit_biweight,
     fit_weighted,
+    median_normal,
     scale,
     set_biweights,
     set_residuals,
@@ -110,7 +111,7 @@ def estimate(disk, normals, rings: Literal[2, 1, 3] = 2):
     own = normal, exact, area, closed, size, count, rows, space, walk
     sized = Disk(e, weights, hops, distances, *own)
     quadric, other = part(space, 88, (UNKNOWNS + 1,)), part(space, 96, (UNKNOWNS + 1,))
-    N = _median(disk, normals)
+    N = median_normal(disk, normals)
     X, Y = tangents(N)
     monomials(sized, X, Y, N, 4)
     least = np.inf
@@ -133,22 +134,6 @@ def estimate(disk, normals, rings: Literal[2, 1, 3] = 2):
     curved = (1 if least <= LARGE else np.nan) / size
     r, s, t = 2 * curved * quadric[3], curved * quadric[4], 2 * curved * quadric[5]
     return from_graph(quadric[1], quadric[2], r, s, t, X, Y, N)[0]
-
-
-@kernel
-def _median(disk, normals):
-    """The unit vector of about the least sum of distances from the normals of the vertices whose
-    triangles lie in the disk, by Weiszfeld's iteration."""
-    rings = disk.hops[disk.count - 1]
-    N = (0.0, 0.0, 0.0)
-    for _ in range(5):
-        total = (0.0, 0.0, 0.0)
-        for i in range(disk.count + 1):
-            n = normals[0, i], normals[1, i], normals[2, i]
-            if n[0] == n[0] and (i == 0 or disk.hops[i - 1] < rings):
-                total = add(total, 1 / (0.1 + norm(add(n, -1.0, N))), n)
-        N = divide(total, norm(total))
-    return N
 
 
 @kernel

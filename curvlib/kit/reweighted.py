@@ -2,7 +2,7 @@
 
 In all functions `disk` is a Disk of which `monomials` has set the rows up to degree 4. `quadric`
 (7,) holds the six coefficients of f in their order, then the weight of the vertex itself, a point
-at the origin. `factor` is that of `consistency`.
+at the origin. `factor` is that of `consistency`; `own`, 1 or 0, the largest weight of the vertex.
 """
 
 import numpy as np
@@ -11,6 +11,7 @@ from .compiled import kernel
 from .lanes import dot, multiply
 from .parts import part
 from .polynomial import set_matrix, solve
+from .vectors import add, divide, norm
 
 UNKNOWNS, MOMENTS = 6, 15
 # Rows behind those of `monomials`: weights by distance, weights of the fit, heights times these,
@@ -153,7 +154,7 @@ def _smallest(rows, count, k):
 
 
 @kernel
-def fit_absolute(disk, quadric, factor):
+def fit_absolute(disk, quadric, factor, own=1.0):
     """Fit the quadric of about the least sum of absolute residuals, times weights by distance.
 
     Returns
@@ -162,7 +163,7 @@ def fit_absolute(disk, quadric, factor):
         Whether it is determined.
     """
     rows, n, determined = disk.rows, len(disk.weights), True
-    quadric[UNKNOWNS] = 1.0
+    quadric[UNKNOWNS] = own
     for i in range(n):
         rows[WEIGHT, i] = rows[NEAR, i]
     for _ in range(ABSOLUTE):
@@ -171,12 +172,12 @@ def fit_absolute(disk, quadric, factor):
             least = 0.1 * scale(disk, factor)
             for i in range(n):
                 rows[WEIGHT, i] = rows[NEAR, i] * least / max(rows[RESIDUAL, i], least)
-            quadric[UNKNOWNS] = least / max(abs(quadric[0]), least)
+            quadric[UNKNOWNS] = own * (least / max(abs(quadric[0]), least))
     return determined and fit_weighted(disk, quadric)
 
 
 @kernel
-def set_biweights(disk, quadric, limit):
+def set_biweights(disk, quadric, limit, own=1.0):
     """Set weights of the fit to (1 - (r / limit)^2)^2 of the residuals r, 0 beyond the limit, times
     weights by distance.
 
@@ -184,6 +185,7 @@ def set_biweights(disk, quadric, limit):
     ----------
     disk, quadric
     limit : float
+    own : float
     """
     rows, inverse = disk.rows, 1 / limit
     for i in range(len(disk.weights)):
@@ -192,11 +194,11 @@ def set_biweights(disk, quadric, limit):
         rows[WEIGHT, i] = rows[NEAR, i] * (y * y)
     x = quadric[0] * inverse
     y = max(0.0, 1 - x * x)
-    quadric[UNKNOWNS] = y * y
+    quadric[UNKNOWNS] = own * (y * y)
 
 
 @kernel
-def fit_biweight(disk, quadric, factor, tuning):
+def fit_biweight(disk, quadric, factor, tuning, own=1.0):
     """Fit with Tukey's biweight of the residuals until the quadric stands still.
 
     Parameters
@@ -204,6 +206,7 @@ def fit_biweight(disk, quadric, factor, tuning):
     disk, quadric, factor
     tuning : float
         The limit, in scales.
+    own : float
 
     Returns
     -------
@@ -213,7 +216,7 @@ def fit_biweight(disk, quadric, factor, tuning):
     found = np.inf
     for _ in range(ROUNDS):
         found = scale(disk, factor)
-        set_biweights(disk, quadric, tuning * found)
+        set_biweights(disk, quadric, tuning * found, own)
         xx, xy, yy = quadric[3], quadric[4], quadric[5]
         if not fit_weighted(disk, quadric):
             return np.inf
@@ -221,3 +224,30 @@ def fit_biweight(disk, quadric, factor, tuning):
         if change <= 1e-10 * (abs(xx) + abs(xy) + abs(yy)):
             break
     return found
+
+
+@kernel
+def median_normal(disk, normals):
+    """The unit vector of about the least sum of distances from the normals of the vertices whose
+    triangles lie in the disk, by Weiszfeld's iteration.
+
+    Parameters
+    ----------
+    disk : Disk
+    normals : (3 or more, 1 + n)
+        At the vertex and its neighbours.
+
+    Returns
+    -------
+    tuple of 3 floats
+    """
+    rings = disk.hops[disk.count - 1]
+    N = (0.0, 0.0, 0.0)
+    for _ in range(5):
+        total = (0.0, 0.0, 0.0)
+        for i in range(disk.count + 1):
+            n = normals[0, i], normals[1, i], normals[2, i]
+            if n[0] == n[0] and (i == 0 or disk.hops[i - 1] < rings):
+                total = add(total, 1 / (0.1 + norm(add(n, -1.0, N))), n)
+        N = divide(total, norm(total))
+    return N

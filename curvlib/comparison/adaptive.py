@@ -1,0 +1,218 @@
+"""The estimator that chooses its fit, `adaptive_fit`, against every fixed fit on noisy meshes.
+
+Neither surfaces nor seeds are those that constants of the estimator were chosen on.
+"""
+
+import numpy as np
+import pandas as pd
+
+from curvlib.estimation import estimate
+from curvlib.estimators import adaptive_fit
+from curvlib.meshes.jittered import JITTER, SEMI_AXES, graph, jittered
+from curvlib.meshes.mesh import Mesh
+from curvlib.meshes.torus import torus
+from curvlib.passes import Passes
+
+N, SEED = 50, 11
+# Vertices that a trial of outliers displaces, and by how many mean edges.
+PART, FAR = 0.005, 5.0
+# Sweeps of means over neighbours that correlate noise.
+SWEEPS = 3
+LEVELS = {
+    "white": (0.0, 1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.2),
+    "isotropic": (0.01, 0.05),
+    "correlated": (0.01, 0.05),
+    "quantised": (0.01, 0.1),
+    "outliers": (0.0, 0.01),
+    "half": (0.01, 0.05),
+}
+"""Kinds of noise, and its levels in mean edges.
+
+white: normal deviates along the normals; isotropic: in all directions; correlated: white noise
+averaged over neighbours; quantised: coordinates rounded to multiples; outliers: PART of the
+vertices lie FAR off, on either side, the others have white noise; half: white noise where x is
+above its median.
+"""
+
+
+def table(n=N, seed=SEED, threads: int = 1) -> pd.DataFrame:
+    """adaptive.csv: mean errors of `adaptive_fit` and of every one of `fixed` under noise.
+
+    Parameters
+    ----------
+    n : int
+        Meshes have n^2 vertices.
+    seed : int
+    threads : int
+
+    Returns
+    -------
+    DataFrame
+        Per `surface`, kind of `noise`, `level`, `fit` and `quantity` the mean error `value` of the
+        vertices that are not on a boundary; of `adaptive_fit` also `ratio`, to the least of the
+        fixed fits, and `choice`, what it took at most of the vertices.
+    """
+    rows = []
+    for k, (surface, make) in enumerate(SURFACES.items()):
+        mesh = make(n, seed + k)
+        for noise, levels in LEVELS.items():
+            for level in levels:
+                labels = {"surface": surface, "noise": noise, "level": level}
+                rows += [
+                    labels | row for row in _rows(mesh, noisy(mesh, noise, level, seed), threads)
+                ]
+    return pd.DataFrame(rows)
+
+
+def noisy(mesh, noise, level, seed):
+    """A mesh with some kind of noise."""
+    rng, length = np.random.default_rng(seed), mesh.mean_edge
+    count, step = len(mesh.vertices), level * mesh.mean_edge
+    vertices = np.array(mesh.vertices)
+    if noise == "quantised":
+        vertices = np.round(vertices / step) * step
+    elif noise == "isotropic":
+        vertices += step * rng.standard_normal((count, 3))
+    else:
+        deviates = rng.standard_normal(count)
+        if noise == "correlated":
+            deviates = _correlated(mesh, deviates)
+        if noise == "half":
+            deviates *= vertices[:, 0] > np.median(vertices[:, 0])
+        moves = step * deviates
+        if noise == "outliers":
+            far = rng.choice(count, int(PART * count), replace=False)
+            moves[far] = FAR * length * rng.choice([-1, 1], len(far))
+        vertices += moves[:, None] * mesh.normals
+    return mesh.moved(vertices)
+
+
+def _correlated(mesh, x):
+    edges = np.concatenate([mesh.faces[:, [0, 1]], mesh.faces[:, [1, 2]], mesh.faces[:, [2, 0]]])
+    for _ in range(SWEEPS):
+        total, number = np.array(x), np.ones(len(x))
+        for a, b in (edges.T, edges.T[::-1]):
+            np.add.at(total, a, x[b])
+            np.add.at(number, a, 1)
+        x = total / number
+    return x / x.std()
+
+
+def fixed(mesh, threads: int = 1):
+    """Yield the name and the values of every fixed fit, of one degree and scale."""
+    passes = Passes(mesh, threads)
+    for degree, scales in adaptive_fit.RINGS.items():
+        for rings in scales[:-1]:
+            yield (
+                f"degree {degree}, {rings} rings",
+                passes.estimates(adaptive_fit.polynomial, degree=degree, rings=rings),
+            )
+    calls = [
+        ("ball_regression", {"radius": f"{radius} edges"}) for radius in adaptive_fit.RADII
+    ] + [
+        ("jet", {"degree": 2, "rings": 2}),
+        ("jet", {"degree": 2, "rings": 3}),
+        ("jet", {"degree": 3, "rings": 3}),
+        ("jet", {"degree": 4, "rings": 2}),
+        ("jet", {"degree": 4, "rings": 3}),
+        ("jet", {"degree": 6, "rings": 3}),
+        ("compact_hermite", {"degree": 6}),
+        ("compact_hermite", {"degree": 4}),
+    ]
+    for name, options in calls:
+        found = estimate(mesh, name, threads, **options)
+        words = ", ".join(f"{value}" for value in options.values())
+        yield f"{name} {words}", {"K": found.K, "H": found.H}
+
+
+def _rows(exact, mesh, threads):
+    found = estimate(mesh, "adaptive_fit", threads)
+    every = [*fixed(mesh, threads), ("adaptive_fit", {"K": found.K, "H": found.H})]
+    most = np.bincount(found.choice.index).argmax()
+    inner = ~exact.boundary
+    for quantity in ("K", "H"):
+        truth = getattr(exact, quantity)[inner]
+        errors = {name: np.nanmean(np.abs(x[quantity][inner] - truth)) for name, x in every}
+        own = errors["adaptive_fit"]
+        least = min(error for name, error in errors.items() if name != "adaptive_fit")
+        for name, error in errors.items():
+            row = {"fit": name, "quantity": quantity, "value": error}
+            if name == "adaptive_fit":
+                row |= {"ratio": own / least, "choice": found.choice.calls[most]}
+            yield row
+
+
+def _level_set(vertices, faces, gradient, hessian):
+    """A mesh with exact values: those of the level set of a function that grows outward.
+
+    Source: Goldman (2005), Curvature formulas for implicit curves and surfaces.
+    """
+    square = (gradient**2).sum(1)
+    applied = np.einsum("vij,vj->vi", hessian, gradient)
+    along = (applied * gradient).sum(1)
+    trace = np.trace(hessian, axis1=1, axis2=2)
+    H = (square * trace - along) / (2 * square**1.5)
+    cofactors = np.stack(
+        [np.cross(hessian[:, (k + 1) % 3], hessian[:, (k + 2) % 3]) for k in range(3)], 1
+    )
+    K = np.einsum("vi,vij,vj->v", gradient, cofactors, gradient) / square**2
+    return Mesh(vertices, faces, normals=gradient / np.sqrt(square)[:, None], K=K, H=H)
+
+
+def _wave(n, seed):
+    """The open graph over [-1, 1]^2 of z = 0.2 sin(3 x + y) + 0.25 cos(2 y - x)."""
+    waves = (0.2, (3.0, 1.0), 0.0), (0.25, (-1.0, 2.0), np.pi / 2)
+
+    def height(x, y):
+        return sum(a * np.sin(k * x + m * y + shift) for a, (k, m), shift in waves)
+
+    mesh = graph(n, height, seed)
+    x, y, _ = mesh.vertices.T
+    gradient, hessian = np.zeros((len(x), 3)), np.zeros((len(x), 3, 3))
+    gradient[:, 2] = 1
+    for a, (k, m), shift in waves:
+        phase = k * x + m * y + shift
+        for i, p in enumerate((k, m)):
+            gradient[:, i] -= a * p * np.cos(phase)
+            for j, q in enumerate((k, m)):
+                hessian[:, i, j] += a * p * q * np.sin(phase)
+    return _level_set(mesh.vertices, mesh.faces, gradient, hessian)
+
+
+def _blob(n, seed):
+    """x^4 + y^4 + z^4 + 0.6 (x^2 + 1.5 y^2 + z^2) + 0.3 x y z = 1 about the origin, closed."""
+    ball = jittered("ellipsoid", n, seed)
+    rays, squares = ball.vertices / SEMI_AXES, 0.6 * np.array([1.0, 1.5, 1.0])
+    low, high = np.full(len(rays), 0.1), np.full(len(rays), 2.0)
+    for _ in range(60):
+        middle = (low + high) / 2
+        p = rays * middle[:, None]
+        outside = (p**4).sum(1) + (squares * p**2).sum(1) + 0.3 * p.prod(1) > 1
+        low, high = np.where(outside, low, middle), np.where(outside, middle, high)
+    p = rays * low[:, None]
+    gradient = 4 * p**3 + 2 * squares * p
+    hessian = np.zeros((len(p), 3, 3))
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        gradient[:, i] += 0.3 * p[:, j] * p[:, k]
+        hessian[:, i, i] = 12 * p[:, i] ** 2 + 2 * squares[i]
+        hessian[:, j, k] = hessian[:, k, j] = 0.3 * p[:, i]
+    return _level_set(p, ball.faces, gradient, hessian)
+
+
+def _ring(n, seed):
+    """The torus of radii 3 and 1."""
+    vertices, faces = torus(n, "irregular", seed, (3.0, 1.0), JITTER)
+    x, y, z = vertices.T
+    around = np.hypot(x, y)
+    bend = around - 3
+    gradient = np.column_stack((bend * x / around, bend * y / around, z))
+    c, s, hessian = x / around, y / around, np.zeros((len(x), 3, 3))
+    hessian[:, 0, 0] = c * c + bend / around * s * s
+    hessian[:, 1, 1] = s * s + bend / around * c * c
+    hessian[:, 0, 1] = hessian[:, 1, 0] = (1 - bend / around) * c * s
+    hessian[:, 2, 2] = 1
+    return _level_set(vertices, faces, gradient, hessian)
+
+
+SURFACES = {"blob": _blob, "wave": _wave, "ring": _ring}
