@@ -25,12 +25,12 @@ SAMPLE = 400
 RINGS = {4: (3, 4, 5, 6, 8, 10, 13), 6: (3, 4, 5, 6, 8)}
 RADII = 1.5, 2, 2.8, 4, 5.6, 8, 11, 16  # in mean edges
 # The largest part of the sample, by change, that is left out of its mean.
-OUTLIERS = 0.01
+OUTLIERS = 0.05
 # The ratio of the difference of two fits of degree 6 to that of degrees 6 and 4 above which noise
 # rules.
 NOISE = 0.3
-# The square of the power of the radius with which the bias of ball_regression grows.
-POWER_BALL = 4
+# The square of the error over the change, at the least change.
+RISK, RISK_BALL = {6: 0.012, 4: 0.017}, 0.042
 
 
 @kernel
@@ -191,7 +191,7 @@ def _chosen(passes, sample):
             for j in range(len(forms) - 1)
         ]
         j = int(np.argmin(changes))
-        risk = changes[j] / degree**2
+        risk = changes[j] * RISK[degree]
         if best is None or risk < best[0]:
             best = risk, degree, scales[j]
     risk, degree, rings = best
@@ -199,7 +199,7 @@ def _chosen(passes, sample):
         return degree_6
     if not exact:
         radius, change = _ball(passes, sample)
-        if change / POWER_BALL < risk:
+        if change * RISK_BALL < risk:
             text = f"{radius} edges"
             return ball_regression.estimate, {"radius": text}, f'ball_regression(radius="{text}")'
     call = f"polynomial(degree={degree}, rings={rings})"
