@@ -7,11 +7,13 @@ import numpy as np
 import pandas as pd
 
 from curvlib.estimation import estimate
-from curvlib.estimators import adaptive_fit
+from curvlib.estimators.adaptive_fit import RADII
+from curvlib.kit.scales import RINGS
 from curvlib.meshes.jittered import JITTER, SEMI_AXES, graph, jittered
 from curvlib.meshes.mesh import Mesh
 from curvlib.meshes.torus import torus
-from curvlib.passes import Passes
+
+from .calls import Call
 
 N, SEED = 50, 11
 # Vertices that a trial of outliers displaces, and by how many mean edges.
@@ -98,47 +100,39 @@ def _correlated(mesh, x):
     return x / x.std()
 
 
-def fixed(mesh, threads: int = 1):
-    """Yield the name and the values of every fixed fit, of one degree and scale."""
-    passes = Passes(mesh, threads)
-    for degree, scales in adaptive_fit.RINGS.items():
-        for rings in scales[:-1]:
-            yield (
-                f"degree {degree}, {rings} rings",
-                passes.estimates(adaptive_fit.polynomial, degree=degree, rings=rings),
-            )
+def fixed():
+    """The calls of fixed fits, of one degree and scale each: estimator and options."""
     calls = [
-        ("ball_regression", {"radius": f"{radius} edges"}) for radius in adaptive_fit.RADII
-    ] + [
-        ("jet", {"degree": 2, "rings": 2}),
-        ("jet", {"degree": 2, "rings": 3}),
-        ("jet", {"degree": 3, "rings": 3}),
-        ("jet", {"degree": 4, "rings": 2}),
-        ("jet", {"degree": 4, "rings": 3}),
-        ("jet", {"degree": 6, "rings": 3}),
-        ("compact_hermite", {"degree": 6}),
-        ("compact_hermite", {"degree": 4}),
+        ("jet", {"degree": degree, "rings": rings, "fit": "approximation"})
+        for degree, scales in RINGS.items()
+        for rings in scales[:-1]
     ]
-    for name, options in calls:
-        found = estimate(mesh, name, threads, **options)
-        words = ", ".join(f"{value}" for value in options.values())
-        yield f"{name} {words}", {"K": found.K, "H": found.H}
+    calls += [("ball_regression", {"radius": f"{radius} edges"}) for radius in RADII]
+    calls += [("jet", {"degree": d, "rings": r}) for d, r in ((2, 2), (2, 3), (3, 3), (4, 2))]
+    calls += [("jet", {"degree": d, "rings": 3}) for d in (4, 6)]
+    return calls + [("compact_hermite", {"degree": degree}) for degree in (6, 4)]
 
 
 def _rows(exact, mesh, threads):
-    found = estimate(mesh, "adaptive_fit", threads)
-    every = [*fixed(mesh, threads), ("adaptive_fit", {"K": found.K, "H": found.H})]
-    most = np.bincount(found.choice.index).argmax()
+    every = {
+        str(Call(name, options)): estimate(mesh, name, threads, **options)
+        for name, options in [("adaptive_fit", {}), *fixed()]
+    }
+    choice = every["adaptive_fit"].choice
+    most = np.bincount(choice.index).argmax()
     inner = ~exact.boundary
     for quantity in ("K", "H"):
         truth = getattr(exact, quantity)[inner]
-        errors = {name: np.nanmean(np.abs(x[quantity][inner] - truth)) for name, x in every}
+        errors = {
+            name: np.nanmean(np.abs(getattr(x, quantity)[inner] - truth))
+            for name, x in every.items()
+        }
         own = errors["adaptive_fit"]
         least = min(error for name, error in errors.items() if name != "adaptive_fit")
         for name, error in errors.items():
             row = {"fit": name, "quantity": quantity, "value": error}
             if name == "adaptive_fit":
-                row |= {"ratio": own / least, "choice": found.choice.calls[most]}
+                row |= {"ratio": own / least, "choice": choice.calls[most]}
             yield row
 
 

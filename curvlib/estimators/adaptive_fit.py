@@ -1,15 +1,12 @@
 """The fit and its scale that change least, region by region: chosen from the mesh itself."""
 
 from collections import namedtuple
-from typing import Literal
 
 import numpy as np
 
-from curvlib.kit.compiled import kernel
 from curvlib.kit.displaced import displaced, placed, suspects
-from curvlib.kit.polynomial import fit_polynomial
-from curvlib.kit.tensor import Assessed, Choice, Curvatures, from_graph
-from curvlib.kit.vectors import tangents
+from curvlib.kit.scales import RINGS, quartic, sextic
+from curvlib.kit.tensor import Assessed, Choice, Curvatures
 
 from . import ball_regression, compact_hermite, jet
 
@@ -24,8 +21,6 @@ ROUNDS = 3
 # Vertices on which the choice is made, and how many of them, those nearby, decide it for each; the
 # largest part of these, by change, that is left out of their mean.
 SAMPLE, NEAR, OUTLIERS = 800, 64, 0.05
-# By degree.
-RINGS = {4: (3, 4, 5, 6, 8, 10, 13), 6: (3, 4, 5, 6, 8)}
 RADII = 1.5, 2, 2.8, 4, 5.6, 8, 11, 16  # in mean edges
 # The square of the error over the change where that is least; for polynomials times the rings.
 RISK, RISK_BALL = {6: 0.06, 4: 0.085}, 0.042
@@ -38,70 +33,6 @@ APART = 1.7
 Fit = namedtuple("Fit", "function options")
 COMPACT = Fit(compact_hermite.estimate, {"degree": 6})
 THROUGH = Fit(jet.estimate, {"degree": 6, "rings": 3})
-
-
-@kernel
-def sextic(disk, rings: Literal[8] = 8):
-    """Half of f_xx + f_yy of a polynomial of degree 6 through the vertex, over three rings with
-    weights exp(-(hop / 3)^2); and f_xx, f_xy and f_yy of polynomials with a constant over each of
-    RINGS[6] of a `disk`, of which `rings` is the last."""
-    X, Y, N = _frame(disk)
-    a, b, c = _over(disk, X, Y, N, 6, 3), _over(disk, X, Y, N, 6, 4), _over(disk, X, Y, N, 6, 5)
-    d, e = _over(disk, X, Y, N, 6, 6), _over(disk, X, Y, N, 6, 8)
-    for i in range(disk.count):
-        hop = disk.hops[i]
-        disk.weights[i] = np.exp(-((hop / 3) ** 2)) if hop <= 3 else 0.0
-    f, _ = fit_polynomial(disk, X, Y, N, 1, 6)
-    return ((f[2] + f[4]) / 2, *a, *b, *c, *d, *e)
-
-
-@kernel
-def quartic(disk, rings: Literal[13] = 13):
-    """f_xx, f_xy and f_yy of polynomials of degree 4 over each of RINGS[4] of a `disk`;
-    `rings` is the last."""
-    X, Y, N = _frame(disk)
-    a, b, c = _over(disk, X, Y, N, 4, 3), _over(disk, X, Y, N, 4, 4), _over(disk, X, Y, N, 4, 5)
-    d, e, f = _over(disk, X, Y, N, 4, 6), _over(disk, X, Y, N, 4, 8), _over(disk, X, Y, N, 4, 10)
-    return (*a, *b, *c, *d, *e, *f, *_over(disk, X, Y, N, 4, 13))
-
-
-@kernel
-def _frame(disk):
-    """The normal of a polynomial of degree 2 over two rings, with tangents."""
-    N = disk.normal
-    X, Y = tangents(N)
-    _within(disk, 2)
-    derivatives, _ = fit_polynomial(disk, X, Y, N, 0, 2)
-    _, N = from_graph(*derivatives, X, Y, N)
-    return (*tangents(N), N)
-
-
-@kernel
-def _over(disk, X, Y, N, degree, rings):
-    """f_xx, f_xy and f_yy of a polynomial over some rings of a disk."""
-    _within(disk, rings)
-    derivatives, _ = fit_polynomial(disk, X, Y, N, 0, degree)
-    return derivatives[2], derivatives[3], derivatives[4]
-
-
-@kernel
-def _within(disk, rings):
-    """Set the weights of a disk to 1 within some rings, else to 0."""
-    for i in range(disk.count):
-        disk.weights[i] = 1.0 if disk.hops[i] <= rings else 0.0
-
-
-@kernel
-def polynomial(disk, degree: Literal[4, 6] = 4, rings: Literal[3, 4, 5, 6, 8, 10] = 3):
-    """Curvatures of a polynomial of some `degree` with a constant over the `rings` of a `disk`, in
-    the frame of one of degree 2 over them."""
-    N = disk.normal
-    X, Y = tangents(N)
-    derivatives, _ = fit_polynomial(disk, X, Y, N, 0, 2)
-    _, N = from_graph(*derivatives, X, Y, N)
-    X, Y = tangents(N)
-    derivatives, _ = fit_polynomial(disk, X, Y, N, 0, degree)
-    return from_graph(*derivatives, X, Y, N)[0]
 
 
 def estimate(passes):
@@ -170,8 +101,7 @@ def estimate(passes):
 
 def _call(fit):
     options = ", ".join(f"{name}={value!r}" for name, value in fit.options.items())
-    name = fit.function.__module__.split(".")[-1]
-    return f"{'polynomial' if fit.function is polynomial else name}({options})"
+    return f"{fit.function.__module__.split('.')[-1]}({options})"
 
 
 def _mended(passes):
@@ -213,7 +143,8 @@ def _chosen(passes, sample):
     ):
         scales = RINGS[degree]
         for j in range(len(scales) - 1):
-            fits.append(Fit(polynomial, {"degree": degree, "rings": scales[j]}))
+            options = {"degree": degree, "rings": scales[j], "fit": "approximation"}
+            fits.append(Fit(jet.estimate, options))
             changes.append(np.array((1, 2, 1)) @ (each[j + 1] - each[j]) ** 2)
             risks.append(RISK[degree] / scales[j] / np.log(scales[j + 1] / scales[j]) ** 2)
     for radius, change in _ball(passes, sample, near):

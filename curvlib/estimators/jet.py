@@ -24,7 +24,7 @@ WIDEST, SINE = 5, 3e-3
 def estimate(
     disk,
     degree: Literal[2, 3, 4, 5, 6] = 2,
-    rings: Literal[2, 1, 3, 4] = 2,
+    rings: Literal[2, 1, 3, 4, 5, 6, 8, 10] = 2,
     radius: Length = None,
     fit: Literal["interpolation", "approximation"] = "interpolation",
 ):
@@ -37,7 +37,7 @@ def estimate(
         A vertex and its neighbours.
     degree : {2, 3, 4, 5, 6}
         Of the polynomial.
-    rings : {2, 1, 3, 4}
+    rings : {2, 1, 3, 4, 5, 6, 8, 10}
         How many rings of neighbours.
     radius : length, optional
         Instead of `rings`, the neighbours within this distance.
