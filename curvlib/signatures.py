@@ -4,7 +4,7 @@ import functools
 import inspect
 from collections.abc import Hashable
 from numbers import Integral
-from typing import get_args
+from typing import Annotated, get_args, get_origin
 
 from .catalogue import estimators, peers
 from .errors import InputError, check_name
@@ -56,6 +56,8 @@ class Signature:
         "vertex", and "face" where it can be run over the centres of triangles: PER in its file.
     options : dict
         Name -> valid values, the default first.
+    parts : dict
+        Name -> the part of a length that the function is given.
     """
 
     @staticmethod
@@ -90,6 +92,8 @@ class Signature:
         if rest and rest[0].default is first.empty and rest[0].kind == first.kind:
             self.field, rest = self._beside(rest[0].name, (*above, function)), rest[1:]
         self.coupled = signature.return_annotation is Coupled
+        whole = [_whole(p) for p in rest]
+        rest, self.parts = [p for p, _ in whole], {p.name: part for p, part in whole}
         self.geodesic = any(p.annotation is Geodesic for p in rest)
         self.options = {p.name: self._values(p) for p in rest}
 
@@ -156,13 +160,21 @@ class Signature:
         """Options as the function gets them: strings as Option, a Length as a number, lengths of
         the mesh being multiplied by `unit`."""
         return {
-            option: Lengths.of(value, mesh, unit)
+            option: Lengths.of(value, mesh, unit) * self.parts[option]
             if isinstance(self.options[option], Lengths)
             else Option(value)
             if isinstance(value, str)
             else value
             for option, value in chosen.items()
         }
+
+
+def _whole(parameter):
+    """A parameter without its Annotated, and which part of a Length that names."""
+    if get_origin(parameter.annotation) is not Annotated:
+        return parameter, 1.0
+    kind, part = get_args(parameter.annotation)
+    return parameter.replace(annotation=kind), part
 
 
 def _globals(function):

@@ -124,53 +124,57 @@ def _chosen(passes, sample):
     """The fits that are taken, and which of them at each vertex of the sample."""
     if not len(sample):
         return [THROUGH], None
-    near = _nearest(passes.vertices[sample])
-    every = np.arange(len(sample))[None]
-    found = passes.field(sextic, sample)
+    points, found = passes.vertices[sample], passes.field(sextic, sample)
     forms = found[1:].reshape(-1, 3, len(sample))
     means = (forms[:2, 0] + forms[:2, 2]) / 2
     noise, over = (
         _median(found[0] - means[0], group) / _median(means[1] - means[0], group)
-        for group in (near, every)
+        for group in _groups(points)
     )
-    exact = noise < (CLEAN * APART if over < CLEAN else CLEAN / APART)
-    if exact.all():
+    rest = np.flatnonzero(~(noise < CLEAN * (APART if over < CLEAN else 1 / APART)))
+    if not len(rest):
         return [COMPACT], None
+    fits, index = _least(passes, sample[rest], forms[..., rest], noise[rest] < NOISY)
+    taken, chosen = np.unique(index, return_inverse=True)
+    if len(rest) == len(sample):
+        return [fits[k] for k in taken], chosen
+    every = np.full(len(sample), len(taken))
+    every[rest] = chosen
+    return [*(fits[k] for k in taken), COMPACT], every
+
+
+def _least(passes, sample, forms, quiet):
+    """Fits, and which of them has the least risk at each vertex of a sample; `forms` are those of
+    degree 6 there, `quiet` where noise does not rule."""
     fits, changes, risks = [], [], []
-    for degree, each in (
-        (6, forms),
-        (4, passes.field(quartic, sample).reshape(-1, 3, len(sample))),
-    ):
+    of_four = passes.field(quartic, sample).reshape(-1, 3, len(sample))
+    for degree, each in ((6, forms), (4, of_four)):
         scales = RINGS[degree]
         for j in range(len(scales) - 1):
             options = {"degree": degree, "rings": scales[j], "fit": "approximation"}
             fits.append(Fit(jet.estimate, options))
             changes.append(np.array((1, 2, 1)) @ (each[j + 1] - each[j]) ** 2)
             risks.append(RISK[degree] / scales[j] / np.log(scales[j + 1] / scales[j]) ** 2)
-    for radius, change in _ball(passes, sample, near):
+    groups = _groups(passes.vertices[sample])
+    for radius, change in _ball(passes, sample, groups[0]):
         fits.append(Fit(ball_regression.estimate, {"radius": f"{radius} edges"}))
         changes.append(change)
         risks.append(RISK_BALL)
     local, whole = (
-        np.array([risk * _mean(x, group) for risk, x in zip(risks, changes)])
-        for group in (near, every)
+        np.array([risk * _mean(x, group) for risk, x in zip(risks, changes)]) for group in groups
     )
     own, shared = local.argmin(0), whole[:, 0].argmin()
-    places = np.arange(len(sample))
-    index = np.where(APART**2 * local[own, places] < local[shared], own, shared)
-    index[(index == 0) & (noise < NOISY)] = len(fits)
-    index[exact] = len(fits) + 1
-    fits += [THROUGH, COMPACT]
-    taken, chosen = np.unique(index, return_inverse=True)
-    return [fits[k] for k in taken], chosen
+    least = APART**2 * local[own, np.arange(len(sample))] < local[shared]
+    index = np.where(least, own, shared)
+    return [*fits, THROUGH], np.where((index == 0) & quiet, len(fits), index)
 
 
-def _nearest(points):
-    """(m, n) the NEAR nearest of points to each."""
-    squares = (points**2).sum(1)
-    distances = squares - 2 * points @ points.T
+def _groups(points):
+    """(m, n) the NEAR nearest of points to each; (1, m) all."""
+    distances = (points**2).sum(1) - 2 * points @ points.T
     count = min(NEAR, len(points))
-    return np.argpartition(distances, count - 1, axis=1)[:, :count]
+    near = np.argpartition(distances, count - 1, axis=1)[:, :count]
+    return near, np.arange(len(points))[None]
 
 
 def _ball(passes, sample, near):

@@ -1,5 +1,7 @@
 """Averaged normals, regressed on position over a ball."""
 
+from typing import Annotated
+
 import numpy as np
 
 from curvlib.kit.compiled import kernel
@@ -29,10 +31,10 @@ def areas(ball):
 
 
 @kernel
-def averaged(disk, areas, radius: Length = "5 edges"):
-    """The unit vector u along the mean of the vector `areas` A of a `disk` within INNER `radius`,
-    weighted by 1 - d^2 / (INNER radius)^2 at the distance d; and A . u of the vertex."""
-    own, inner = at(areas, 0), 1 / (INNER * radius)
+def averaged(disk, areas, radius: Annotated[Length, INNER] = "5 edges"):
+    """The unit vector u along the mean of the vector `areas` A of a `disk` within `radius`, INNER
+    that of the ball, weighted by 1 - (d / radius)^2 at the distance d; and A . u of the vertex."""
+    own, inner = at(areas, 0), 1 / radius
     total = own
     for i in range(disk.count):
         x, y, z = disk.e[0, i] * inner, disk.e[1, i] * inner, disk.e[2, i] * inner
