@@ -21,6 +21,8 @@ ROUNDS = 3
 # Vertices on which the choice is made, and how many of them, those nearby, decide it for each; the
 # largest part of these, by change, that is left out of their mean.
 SAMPLE, NEAR, OUTLIERS = 800, 64, 0.05
+# Balls are compared on one of so many.
+FEWER = 4
 RADII = 1.5, 2, 2.8, 4, 5.6, 8, 11, 16  # in mean edges
 # The square of the error over the change where that is least; for polynomials times the rings.
 RISK, RISK_BALL = {6: 0.06, 4: 0.085}, 0.042
@@ -127,10 +129,8 @@ def _chosen(passes, sample):
     points, found = passes.vertices[sample], passes.field(sextic, sample)
     forms = found[1:].reshape(-1, 3, len(sample))
     means = (forms[:2, 0] + forms[:2, 2]) / 2
-    noise, over = (
-        _median(found[0] - means[0], group) / _median(means[1] - means[0], group)
-        for group in _groups(points)
-    )
+    noise = _ratios(found[0] - means[0], means[1] - means[0], _nearest(points, points))
+    over, noise = noise[-1], noise[:-1]
     rest = np.flatnonzero(~(noise < CLEAN * (APART if over < CLEAN else 1 / APART)))
     if not len(rest):
         return [COMPACT], None
@@ -146,52 +146,48 @@ def _chosen(passes, sample):
 def _least(passes, sample, forms, quiet):
     """Fits, and which of them has the least risk at each vertex of a sample; `forms` are those of
     degree 6 there, `quiet` where noise does not rule."""
-    fits, changes, risks = [], [], []
+    points, fits, risks = passes.vertices[sample], [], []
+    near = _nearest(points, points)
     of_four = passes.field(quartic, sample).reshape(-1, 3, len(sample))
     for degree, each in ((6, forms), (4, of_four)):
         scales = RINGS[degree]
         for j in range(len(scales) - 1):
             options = {"degree": degree, "rings": scales[j], "fit": "approximation"}
             fits.append(Fit(jet.estimate, options))
-            changes.append(np.array((1, 2, 1)) @ (each[j + 1] - each[j]) ** 2)
-            risks.append(RISK[degree] / scales[j] / np.log(scales[j + 1] / scales[j]) ** 2)
-    groups = _groups(passes.vertices[sample])
-    for radius, change in _ball(passes, sample, groups[0]):
+            change = np.array((1, 2, 1)) @ (each[j + 1] - each[j]) ** 2
+            over = scales[j] * np.log(scales[j + 1] / scales[j]) ** 2
+            risks.append(RISK[degree] / over * _means(change, near))
+    for radius, change in _balls(passes, sample[::FEWER], _nearest(points, points[::FEWER])):
         fits.append(Fit(ball_regression.estimate, {"radius": f"{radius} edges"}))
-        changes.append(change)
-        risks.append(RISK_BALL)
-    local, whole = (
-        np.array([risk * _mean(x, group) for risk, x in zip(risks, changes)]) for group in groups
-    )
-    own, shared = local.argmin(0), whole[:, 0].argmin()
-    least = APART**2 * local[own, np.arange(len(sample))] < local[shared]
-    index = np.where(least, own, shared)
+        risks.append(RISK_BALL * change)
+    risks = np.array(risks)
+    own, shared = risks[:, :-1].argmin(0), risks[:, -1].argmin()
+    apart = APART**2 * risks[own, np.arange(len(sample))] < risks[shared, :-1]
+    index = np.where(apart, own, shared)
     return [*fits, THROUGH], np.where((index == 0) & quiet, len(fits), index)
 
 
-def _groups(points):
-    """(m, n) the NEAR nearest of points to each; (1, m) all."""
-    distances = (points**2).sum(1) - 2 * points @ points.T
-    count = min(NEAR, len(points))
-    near = np.argpartition(distances, count - 1, axis=1)[:, :count]
-    return near, np.arange(len(points))[None]
+def _nearest(points, sample):
+    """(m, n) those of a sample that are nearest to m points, as many of NEAR as it has of these."""
+    distances = (sample**2).sum(1) - 2 * points @ sample.T
+    count = max(1, min(NEAR, len(points)) * len(sample) // len(points))
+    return np.argpartition(distances, count - 1, axis=1)[:, :count]
 
 
-def _ball(passes, sample, near):
-    """Yield radii of ball_regression and changes to the next over the square of the logarithm of
-    their ratio, until these rise everywhere. They fall again where the ball is the whole mesh."""
-    least, before, last = np.inf, None, None
-    falling = np.ones(len(sample), bool)
+def _balls(passes, sample, near):
+    """Yield radii of ball_regression and the means of changes to the next over the square of the
+    logarithm of their ratio, until these rise everywhere. They fall again where the ball is the
+    whole mesh."""
+    least, before, last = np.full(len(near) + 1, np.inf), None, None
     for radius in RADII:
         found = passes.estimates(ball_regression.estimate, sample, radius=f"{radius} edges")
         form = _tensor(found)
         if before is not None:
-            change = ((form - before) ** 2).sum(0) / np.log(radius / last) ** 2
-            mean = _mean(change, near)
-            falling &= mean < least
+            change = _means(((form - before) ** 2).sum(0) / np.log(radius / last) ** 2, near)
+            falling = change < least
             if falling.mean() < OUTLIERS:
                 break
-            least = np.where(falling, mean, least)
+            least = np.where(falling, change, -np.inf)
             yield last, np.where(falling, change, np.inf)
         before, last = form, radius
 
@@ -204,14 +200,23 @@ def _tensor(found):
     )
 
 
-def _mean(squares, groups):
-    """The trimmed mean of squares over groups (g, n) of a sample; infinite where there is none."""
-    x = np.sort(squares[groups], axis=1)
+def _means(squares, near):
+    """The trimmed means (m + 1,) of squares over groups (m, n) of a sample and over all of it;
+    infinite where there is none."""
+    return np.concatenate([_mean(squares[near]), _mean(squares[None])])
+
+
+def _mean(squares):
+    x = np.sort(squares, axis=1)
     count = np.isfinite(x).sum(1)
     kept = count - (OUTLIERS * count).astype(int)
     total = np.where(np.arange(x.shape[1]) < kept[:, None], x, 0).sum(1)
     return np.where(kept > 0, total / np.maximum(kept, 1), np.inf)
 
 
-def _median(x, groups):
-    return np.nanmedian(np.abs(x)[groups], axis=1)
+def _ratios(a, b, near):
+    """The ratios (m + 1,) of the median absolute values of a and b, in the groups of `_means`."""
+    groups = near, np.arange(len(a))[None]
+    return np.concatenate(
+        [np.nanmedian(np.abs(a)[g], 1) / np.nanmedian(np.abs(b)[g], 1) for g in groups]
+    )
