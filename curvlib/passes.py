@@ -15,6 +15,8 @@ from .signatures import Signature
 
 # Ring slots (valence times vertices) per block: an array of a block takes 192 KiB.
 BLOCK = 24576
+# The disks of more vertices than this part of all read a field nearly everywhere.
+MANY = 0.2
 
 
 def run(mesh, tasks, threads) -> None:
@@ -50,10 +52,8 @@ class Passes:
     Attributes
     ----------
     vertices : (V, 3)
-    faces : (F, 3)
     centres : (m,) int32
         The vertices that have a disk.
-    mean_edge : float
     """
 
     def __init__(self, mesh, threads):
@@ -62,8 +62,7 @@ class Passes:
             mesh = Mesh(mesh.vertices * mesh.unit, mesh.faces, normals=mesh.normals)
             mesh._adjacency = adjacency
         self._mesh, self._threads = mesh, threads
-        self._graph = _graph(mesh, "vertex", threads)
-        self.vertices, self.faces, self.mean_edge = mesh.vertices, mesh.faces, mesh.mean_edge
+        self._graph, self.vertices = _graph(mesh, "vertex", threads), mesh.vertices
         self.centres = np.flatnonzero(adjacency.stars != BROKEN).astype(np.int32)
 
     def moved(self, vertices):
@@ -179,19 +178,19 @@ def _field(mesh, graph, signature, chosen, threads):
     options = beside.arguments(shared, mesh, mesh.unit)
     if graph is None and beside.given in ("disk", "ball"):
         graph = _graph(mesh, "vertex", threads)
-    some = graph is not None and len(graph.at) < len(graph.vertices) and not beside.coupled
-    if beside.coupled:
-        graph = graph._replace(at=np.arange(len(graph.vertices), dtype=np.int32))
-    elif some:
+    some = graph is not None and len(graph.at) < MANY * len(graph.vertices)
+    if some and not beside.coupled:
         own = signature.arguments(chosen, mesh, mesh.unit)
         graph = graph._replace(at=_around(graph, signature, own).reached(threads))
+    elif graph is not None:
+        graph = graph._replace(at=np.arange(len(graph.vertices), dtype=np.int32))
     field = _field(mesh, graph, beside, shared, threads)
     if beside.given in ("disk", "ball"):
         around = _around(graph, beside, options)
         if beside.coupled:
             return around.solution(beside.function, tuple(options.values()), field, threads)
         found = around.field(beside.function, tuple(options.values()), field, threads)
-        if not some:
+        if len(found) == len(graph.vertices):
             return found
         values = np.full((len(graph.vertices), found.shape[1]), np.nan)
         values[graph.at] = found
