@@ -7,7 +7,6 @@ import numpy as np
 import pandas as pd
 
 from curvlib.estimation import estimate
-from curvlib.estimators.adaptive_fit import RADII
 from curvlib.kit.scales import RINGS
 from curvlib.meshes.jittered import JITTER, SEMI_AXES, graph, jittered
 from curvlib.meshes.mesh import Mesh
@@ -18,6 +17,7 @@ from .calls import Call
 N, SEED = 50, 11
 # Vertices that a trial of outliers displaces, and by how many mean edges.
 PART, FAR = 0.005, 5.0
+RADII = 1.5, 2, 2.8, 4, 5.6, 8, 11, 16  # of balls, in mean edges
 # Sweeps of means over neighbours that correlate noise.
 SWEEPS = 3
 LEVELS = {

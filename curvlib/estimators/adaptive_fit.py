@@ -4,7 +4,9 @@ from collections import namedtuple
 
 import numpy as np
 
+from curvlib.kit.compiled import kernel
 from curvlib.kit.displaced import displaced, placed, suspects
+from curvlib.kit.options import Length
 from curvlib.kit.scales import RINGS, quartic, sextic
 from curvlib.kit.tensor import Assessed, Choice, Curvatures
 
@@ -24,11 +26,15 @@ SAMPLE, NEAR, OUTLIERS = 800, 64, 0.05
 # Balls are compared on one of so many.
 FEWER = 4
 RADII = 1.5, 2, 2.8, 4, 5.6, 8, 11, 16  # in mean edges
+# Vertices in a ball: that of 16 edges has 930 of a mesh whose edges are equal.
+CROWDED = 2048
 # The square of the error over the change where that is least; for polynomials times the rings.
 RISK, RISK_BALL = {6: 0.06, 4: 0.085}, 0.042
 # The ratio of the difference of two fits of degree 6 over three rings to that of three and four
 # rings: below the one truncation rules, above the other noise.
 CLEAN, NOISY = 0.28, 0.6
+# On a smaller part of a mesh compact_hermite, which is solved on all of it, is not taken.
+FEW = 0.1
 # A region has a choice of its own where its errors or its noise differ by this factor.
 APART = 1.7
 
@@ -131,9 +137,10 @@ def _chosen(passes, sample):
     means = (forms[:2, 0] + forms[:2, 2]) / 2
     noise = _ratios(found[0] - means[0], means[1] - means[0], _nearest(points, points))
     over, noise = noise[-1], noise[:-1]
-    rest = np.flatnonzero(~(noise < CLEAN * (APART if over < CLEAN else 1 / APART)))
-    if not len(rest):
+    exact = noise < CLEAN * (APART if over < CLEAN else 1 / APART)
+    if exact.all():
         return [COMPACT], None
+    rest = np.flatnonzero(~exact | (exact.mean() < FEW))
     fits, index = _least(passes, sample[rest], forms[..., rest], noise[rest] < NOISY)
     taken, chosen = np.unique(index, return_inverse=True)
     if len(rest) == len(sample):
@@ -180,6 +187,9 @@ def _balls(passes, sample, near):
     whole mesh."""
     least, before, last = np.full(len(near) + 1, np.inf), None, None
     for radius in RADII:
+        some = sample[:: 1 + len(sample) // 8]
+        if passes.field(_count, some, radius=f"{radius} edges").mean() > CROWDED:
+            break
         found = passes.estimates(ball_regression.estimate, sample, radius=f"{radius} edges")
         form = _tensor(found)
         if before is not None:
@@ -216,7 +226,11 @@ def _mean(squares):
 
 def _ratios(a, b, near):
     """The ratios (m + 1,) of the median absolute values of a and b, in the groups of `_means`."""
-    groups = near, np.arange(len(a))[None]
-    return np.concatenate(
-        [np.nanmedian(np.abs(a)[g], 1) / np.nanmedian(np.abs(b)[g], 1) for g in groups]
-    )
+    groups, a, b = (near, np.arange(len(a))[None]), *np.nan_to_num(np.abs((a, b)))
+    return np.concatenate([np.median(a[g], 1) / np.median(b[g], 1) for g in groups])
+
+
+@kernel
+def _count(disk, radius: Length = None):
+    """How many vertices lie within `radius` of that of a `disk`."""
+    return (disk.count + 0.0,)
