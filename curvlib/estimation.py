@@ -12,12 +12,20 @@ from .passes import run
 from .signatures import Signature, resolved
 from .task import Task
 
-# Without a name: what has values on scans and at boundaries, and converges on irregular meshes.
-RECOMMENDED = {"vertex": "quadric", "face": "tensor_voting"}
+# Estimators that are taken without a name, and why.
 BECAUSE = {
-    "vertex": "a fit over two rings: less noise than one ring, and values at boundaries",
-    "face": "the estimator with values at triangles",
+    "adaptive_fit": "each region's fit and scale are chosen from the mesh itself",
+    "quadric": "a fit of the size that is asked for; adaptive_fit, taken otherwise, has no options",
+    "tensor_voting": "the estimator with values at triangles",
 }
+
+
+def recommended(per: str, options) -> str:
+    """The estimator that is taken without a name: with options, as a radius, one that has them."""
+    check_name("per", per, ("vertex", "face"))
+    if per == "face":
+        return "tensor_voting"
+    return "quadric" if options else "adaptive_fit"
 
 
 def estimate(mesh, estimator=None, threads: int = 1, per: str = "vertex", **options):
@@ -31,10 +39,10 @@ def estimate(mesh, estimator=None, threads: int = 1, per: str = "vertex", **opti
         of `normal="exact"`. Points that stand at one place, as readers leave them that split
         corners, are joined for the estimate as `curvlib.weld` does; values are at all of them.
     estimator : str, path, callable, or a list of them
-        By default `quadric`, or `tensor_voting` per face. A name in `curvlib.estimators()` or, for
-        that of another library, in `curvlib.peers()`; the path of a .py file like those in
-        `curvlib/estimators`; or a function with the signature of their `estimate`. The estimators
-        of a list share the rings or the adjacency.
+        By default `adaptive_fit`, with options `quadric`, and `tensor_voting` per face. A name in
+        `curvlib.estimators()` or, for that of another library, in `curvlib.peers()`; the path of a
+        .py file like those in `curvlib/estimators`; or a function with the signature of their
+        `estimate`. The estimators of a list share the rings or the adjacency.
     threads : int
         Number of threads; values do not depend on it.
     per : {"vertex", "face"}
@@ -77,8 +85,7 @@ def estimate(mesh, estimator=None, threads: int = 1, per: str = "vertex", **opti
     _keep_pages()
     mesh = as_mesh(mesh)
     if estimator is None:
-        check_name("per", per, RECOMMENDED)
-        estimator = RECOMMENDED[per]
+        estimator = recommended(per, options)
     if not isinstance(threads, Integral) or threads < 1:
         raise InputError(f"threads: {threads!r} is not a number of at least 1")
     several = isinstance(estimator, (list, tuple))

@@ -78,7 +78,8 @@ def test_notebooks_show_quantiles_and_causes():
 
 
 def test_the_recommended_estimator():
-    same(curvlib.estimate(MESH), curvlib.estimate(MESH, "quadric"))
+    same(curvlib.estimate(MESH), curvlib.estimate(MESH, "adaptive_fit"))
+    same(curvlib.estimate(MESH, rings=3), curvlib.estimate(MESH, "quadric", rings=3))
     per_face = curvlib.estimate(MESH, per="face")
     same(per_face, curvlib.estimate(MESH, "tensor_voting", per="face"))
     with pytest.raises(curvlib.InputError, match="did you mean 'face'"):

@@ -102,7 +102,7 @@ def _run(path, names, out, png, per, columns, by, as_json, options):
 
     import curvlib
     from curvlib.columns import columns as named
-    from curvlib.estimation import BECAUSE, RECOMMENDED
+    from curvlib.estimation import BECAUSE, recommended
     from curvlib.meshes.labels import read_labels
     from curvlib.meshes.writing import write
     from curvlib.regions import PROBABILITIES, by_region, quantiles
@@ -113,7 +113,8 @@ def _run(path, names, out, png, per, columns, by, as_json, options):
     mesh = curvlib.read(path)
     say(f"{path}: {len(mesh.vertices)} vertices, {len(mesh.faces)} triangles")
     if not names:
-        say(f"  estimator {RECOMMENDED[per]}: {BECAUSE[per]}")
+        names = [recommended(per, options["chosen"] or options["rings"] or options["radius"])]
+        say(f"  estimator {names[0]}: {BECAUSE[names[0]]}")
     labels, labelled, regions = read_labels(by, path, mesh) if by else (None, None, {})
     document = {"mesh": path, "vertices": len(mesh.vertices), "triangles": len(mesh.faces)}
     mesh, kept, mended = _mended(mesh, options["weld"], options["orient"])
@@ -122,7 +123,6 @@ def _run(path, names, out, png, per, columns, by, as_json, options):
         say(f"  {count} {what}")
     if labelled == "vertex":
         labels = labels[kept]
-    names = names or [RECOMMENDED[per]]
     start = time.perf_counter()
     given = {name: _options(name, options) for name in names}
     found = {
@@ -143,6 +143,7 @@ def _run(path, names, out, png, per, columns, by, as_json, options):
         document["estimators"][name] = {
             "options": given[name],
             "undefined": estimates.undefined,
+            "choice": _taken(estimates),
             "quantiles": {
                 quantity: dict(zip(map(str, PROBABILITIES), values))
                 for quantity, values in spread.items()
@@ -238,5 +239,18 @@ def _summary(say, name, options, estimates, spread, probabilities):
     heads = ("", *(f"{100 * p:.0f} %" for p in probabilities))
     rows = [(f"  {quantity}", *map(number, values)) for quantity, values in spread.items()]
     say(table_text(heads, rows))
+    for call, part in _taken(estimates).items():
+        say(f"  {100 * part:.3g} % by {call}")
     undefined = ", ".join(f"{n} {cause}" for cause, n in estimates.undefined.items())
     say(f"  undefined: {undefined or 'nowhere'}")
+
+
+def _taken(estimates):
+    """What an estimator that chooses took: call -> part of the vertices, the most first."""
+    import numpy as np
+
+    if estimates.choice is None:
+        return {}
+    calls, index = estimates.choice
+    parts = np.bincount(index, minlength=len(calls)) / len(index)
+    return {calls[k]: float(parts[k]) for k in np.argsort(-parts, kind="stable") if parts[k]}

@@ -62,15 +62,13 @@ def _advice(mesh, faults, staircase):
     """The command line that comes next, and why."""
     from shlex import quote
 
-    from curvlib.estimation import BECAUSE, RECOMMENDED
+    from curvlib.estimation import BECAUSE
 
     words = f"curvlib estimate {quote(mesh)}"
     turned = any("face inward" in name or "opposite sides" in name for name, *_ in faults)
     if turned:
         words += " --orient"
+    why = f"adaptive_fit: {BECAUSE['adaptive_fit']}"
     if staircase:
-        words += ' -e quadric --radius "5 edges"'
-        why = "a staircase: one or two rings see its steps, a radius of five edges the surface"
-    else:
-        why = f"{RECOMMENDED['vertex']}, {BECAUSE['vertex']}; on noise, a --radius"
+        why += "; on a staircase, normals averaged over balls that do not see its steps"
     return words + " -o values.vtp", why

@@ -15,7 +15,8 @@ import curvlib
 def test_estimate_of_a_soup_has_values_at_the_files_points(ball, run):
     status, out, err = run("estimate", "ball.stl", "-o", "out.vtp")
     assert status == 0
-    assert "estimator quadric: a fit" in out
+    assert "estimator adaptive_fit: each region" in out
+    assert "% by compact_hermite(degree=6)" in out
     assert "undefined: nowhere" in out
     assert "joined to it" in err
     assert err.count("\n") == 1
