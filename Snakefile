@@ -29,6 +29,7 @@ include: "workflow/rules/paper.smk"
 include: "workflow/rules/readme.smk"
 include: "workflow/rules/throughput.smk"
 include: "workflow/rules/estimators.smk"
+include: "workflow/rules/adaptive.smk"
 
 
 rule all:

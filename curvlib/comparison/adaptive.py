@@ -14,7 +14,7 @@ from curvlib.meshes.torus import torus
 
 from .calls import Call
 
-N, SEED = 50, 11
+N, SEED = 50, 101
 # Vertices that a trial of outliers displaces, and by how many mean edges.
 PART, FAR = 0.005, 5.0
 RADII = 1.5, 2, 2.8, 4, 5.6, 8, 11, 16  # of balls, in mean edges
@@ -27,13 +27,14 @@ LEVELS = {
     "quantised": (0.01, 0.1),
     "outliers": (0.0, 0.01),
     "half": (0.01, 0.05),
+    "float32": (0.0,),
 }
 """Kinds of noise, and its levels in mean edges.
 
 white: normal deviates along the normals; isotropic: in all directions; correlated: white noise
 averaged over neighbours; quantised: coordinates rounded to multiples; outliers: PART of the
 vertices lie FAR off, on either side, the others have white noise; half: white noise where x is
-above its median.
+above its median; float32: coordinates in single precision.
 """
 
 
@@ -66,6 +67,15 @@ def table(n=N, seed=SEED, threads: int = 1) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
+def ratios(table) -> pd.DataFrame:
+    """adaptive-ratios.csv: of a `table`, by kind of noise and quantity the geometric mean and the
+    worst of the ratios, and how many these are."""
+    own = table[table.fit == "adaptive_fit"]
+    groups = own.groupby(["noise", "quantity"], sort=False).ratio
+    found = groups.agg([lambda x: np.exp(np.log(x).mean()), "max", "size"])
+    return found.set_axis(["mean", "worst", "cases"], axis=1).reset_index()
+
+
 def noisy(mesh, noise, level, seed):
     """A mesh with some kind of noise."""
     rng, length = np.random.default_rng(seed), mesh.mean_edge
@@ -73,6 +83,8 @@ def noisy(mesh, noise, level, seed):
     vertices = np.array(mesh.vertices)
     if noise == "quantised":
         vertices = np.round(vertices / step) * step
+    elif noise == "float32":
+        vertices = vertices.astype(np.float32)
     elif noise == "isotropic":
         vertices += step * rng.standard_normal((count, 3))
     else:

@@ -1,0 +1,20 @@
+# In: nothing. Out: errors of adaptive_fit and of every fixed fit on noisy meshes of surfaces in closed
+# form, and their ratios by kind of noise. Not part of `all`: the study is about the nine of 2003.
+
+
+FIXED = ("adaptive_fit", "ball_regression", "compact_hermite", "jet")
+
+
+rule adaptive:
+    output:
+        table=study.results / "tables/adaptive.csv",
+        ratios=study.results / "tables/adaptive-ratios.csv",
+    log:
+        study.results / "logs/adaptive.log",
+    conda:
+        "../envs/curvlib.yaml"
+    threads: workflow.cores
+    params:
+        code=code("adaptive", *map(estimators.path, FIXED)),
+    script:
+        "../scripts/adaptive.py"
