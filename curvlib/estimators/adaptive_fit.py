@@ -33,6 +33,8 @@ RISK, RISK_BALL = {6: 0.06, 4: 0.085}, 0.042
 # The ratio of the difference of two fits of degree 6 over three rings to that of three and four
 # rings: below the one truncation rules, above the other noise.
 CLEAN, NOISY = 0.28, 0.6
+# What holds of a place has to hold of more than this part of the places nearby.
+MOST = 0.9
 # On a smaller part of a mesh compact_hermite, which is solved on all of it, is not taken.
 FEW = 0.1
 # A region has a choice of its own where its errors or its noise differ by this factor.
@@ -135,13 +137,17 @@ def _chosen(passes, sample):
     points, found = passes.vertices[sample], passes.field(sextic, sample)
     forms = found[1:].reshape(-1, 3, len(sample))
     means = (forms[:2, 0] + forms[:2, 2]) / 2
-    noise = _ratios(found[0] - means[0], means[1] - means[0], _nearest(points, points))
-    over, noise = noise[-1], noise[:-1]
-    exact = noise < CLEAN * (APART if over < CLEAN else 1 / APART)
+    near = _nearest(points, points)
+    noise = _ratios(found[0] - means[0], means[1] - means[0], near)
+    exact, quiet = (
+        # The places nearby, too: one of them may be where noise begins.
+        (noise[:-1] < limit * (APART if noise[-1] < limit else 1 / APART))[near].mean(1) > MOST
+        for limit in (CLEAN, NOISY)
+    )
     if exact.all():
         return [COMPACT], None
     rest = np.flatnonzero(~exact | (exact.mean() < FEW))
-    fits, index = _least(passes, sample[rest], forms[..., rest], noise[rest] < NOISY)
+    fits, index = _least(passes, sample[rest], forms[..., rest], quiet[rest])
     taken, chosen = np.unique(index, return_inverse=True)
     if len(rest) == len(sample):
         return [fits[k] for k in taken], chosen
