@@ -33,8 +33,8 @@ RISK, RISK_BALL = {6: 0.06, 4: 0.085}, 0.042
 # The ratio of the difference of two fits of degree 6 over three rings to that of three and four
 # rings: below the one truncation rules, above the other noise.
 CLEAN, NOISY = 0.28, 0.6
-# What holds of a place has to hold of more than this part of the places nearby.
-MOST = 0.9
+# What holds of a place has to hold of more than this part of the nearest BESIDE of the sample.
+BESIDE, MOST = 16, 0.9
 # On a smaller part of a mesh compact_hermite, which is solved on all of it, is not taken.
 FEW = 0.1
 # A region has a choice of its own where its errors or its noise differ by this factor.
@@ -137,11 +137,11 @@ def _chosen(passes, sample):
     points, found = passes.vertices[sample], passes.field(sextic, sample)
     forms = found[1:].reshape(-1, 3, len(sample))
     means = (forms[:2, 0] + forms[:2, 2]) / 2
-    near = _nearest(points, points)
-    noise = _ratios(found[0] - means[0], means[1] - means[0], near)
+    noise = _ratios(found[0] - means[0], means[1] - means[0], _nearest(points, points, NEAR))
+    beside = _nearest(points, points, BESIDE)
     exact, quiet = (
-        # The places nearby, too: one of them may be where noise begins.
-        (noise[:-1] < limit * (APART if noise[-1] < limit else 1 / APART))[near].mean(1) > MOST
+        # Those beside it, too: one of them may be where noise begins.
+        (noise[:-1] < limit * (APART if noise[-1] < limit else 1))[beside].mean(1) > MOST
         for limit in (CLEAN, NOISY)
     )
     if exact.all():
@@ -160,7 +160,7 @@ def _least(passes, sample, forms, quiet):
     """Fits, and which of them has the least risk at each vertex of a sample; `forms` are those of
     degree 6 there, `quiet` where noise does not rule."""
     points, fits, risks = passes.vertices[sample], [], []
-    near = _nearest(points, points)
+    near = _nearest(points, points, NEAR)
     of_four = passes.field(quartic, sample).reshape(-1, 3, len(sample))
     for degree, each in ((6, forms), (4, of_four)):
         scales = RINGS[degree]
@@ -170,7 +170,7 @@ def _least(passes, sample, forms, quiet):
             change = np.array((1, 2, 1)) @ (each[j + 1] - each[j]) ** 2
             over = scales[j] * np.log(scales[j + 1] / scales[j]) ** 2
             risks.append(RISK[degree] / over * _means(change, near))
-    for radius, change in _balls(passes, sample[::FEWER], _nearest(points, points[::FEWER])):
+    for radius, change in _balls(passes, sample[::FEWER], _nearest(points, points[::FEWER], NEAR)):
         fits.append(Fit(ball_regression.estimate, {"radius": f"{radius} edges"}))
         risks.append(RISK_BALL * change)
     risks = np.array(risks)
@@ -180,11 +180,12 @@ def _least(passes, sample, forms, quiet):
     return [*fits, THROUGH], np.where((index == 0) & quiet, len(fits), index)
 
 
-def _nearest(points, sample):
-    """(m, n) those of a sample that are nearest to m points, as many of NEAR as it has of these."""
+def _nearest(points, sample, count):
+    """(m, n) those of a sample that are nearest to m points, as many as there are of `count`
+    points."""
     distances = (sample**2).sum(1) - 2 * points @ sample.T
-    count = max(1, min(NEAR, len(points)) * len(sample) // len(points))
-    return np.argpartition(distances, count - 1, axis=1)[:, :count]
+    n = max(1, min(count, len(points)) * len(sample) // len(points))
+    return np.argpartition(distances, n - 1, axis=1)[:, :n]
 
 
 def _balls(passes, sample, near):

@@ -1,11 +1,15 @@
 """Estimator `adaptive_fit`: what it chooses and how good that is; passes at some vertices."""
 
+import re
+
 import numpy as np
 import pytest
 from test_ball_regression import voxel_sphere
 
 import curvlib
-from curvlib.estimators import adaptive_fit, ball_regression, jet
+from curvlib.comparison.adaptive import fixed
+from curvlib.estimators import ball_regression, compact_hermite, jet
+from curvlib.kit.scales import sextic
 from curvlib.meshes.jittered import jittered
 from curvlib.passes import Passes
 
@@ -35,11 +39,15 @@ def test_values_at_some_vertices_are_those_at_all(function, options):
 
 
 def test_a_field_at_some_vertices():
-    mesh = jittered("patch", 20, 1)
-    passes = Passes(mesh, 1)
-    some = np.array([5, 200])
-    every = passes.field(adaptive_fit.clean)
-    np.testing.assert_array_equal(passes.field(adaptive_fit.clean, some), every[:, some])
+    passes, some = Passes(jittered("patch", 20, 1), 1), np.array([5, 200])
+    np.testing.assert_array_equal(passes.field(sextic, some), passes.field(sextic)[:, some])
+
+
+def test_a_field_that_is_solved_is_that_of_the_whole_mesh():
+    mesh, some = jittered("torus", 20, 1), np.array([7, 300])
+    found = Passes(mesh, 1).estimates(compact_hermite.estimate, some)
+    expected = curvlib.estimate(mesh, "compact_hermite")
+    np.testing.assert_array_equal(found["K"], expected.K[some])
 
 
 def test_it_takes_no_option():
@@ -48,37 +56,79 @@ def test_it_takes_no_option():
 
 
 @pytest.mark.parametrize("surface", ["torus", "ellipsoid", "patch"])
-def test_exact_vertices_get_degree_6(surface):
-    mesh = jittered(surface, 40, 2)
+def test_exact_vertices_get_the_compact_scheme(surface):
+    mesh = jittered(surface, 50, 2)
     found = curvlib.estimate(mesh, "adaptive_fit")
-    assert found.choice.calls == ("jet(degree=6, rings=3)",)
-    assert (found.choice.index == 0).all()
-    expected = curvlib.estimate(mesh, "jet", degree=6, rings=3)
-    np.testing.assert_array_equal(found.K, expected.K)
+    expected = curvlib.estimate(mesh, "compact_hermite", degree=6)
+    same = found.choice.index == found.choice.calls.index("compact_hermite(degree=6)")
+    assert same.mean() > 0.9
+    np.testing.assert_array_equal(found.K[same], expected.K[same])
 
 
-@pytest.mark.parametrize("sigma", [1e-3, 0.05])
-def test_scale_grows_with_noise_and_errors_are_near_the_best(sigma):
-    exact = jittered("ellipsoid", 40, 3)
-    mesh = noisy(exact, sigma)
+@pytest.mark.parametrize(
+    ("surface", "sigma"),
+    [("ellipsoid", 1e-6), ("torus", 1e-4), ("patch", 1e-3), ("ellipsoid", 0.05), ("torus", 0.2)],
+)
+def test_errors_are_near_those_of_the_best_fixed_fit(surface, sigma):
+    exact = jittered(surface, 40, 3)
+    mesh, inner = noisy(exact, sigma), ~exact.boundary
+
+    def error(name, **options):
+        return np.abs(curvlib.estimate(mesh, name, **options).K - exact.K)[inner].mean()
+
+    assert error("adaptive_fit") < 1.5 * min(error(name, **options) for name, options in fixed())
+
+
+def test_each_half_of_a_mesh_has_its_own_fit():
+    exact = jittered("ellipsoid", 60, 4)
+    moves = noisy(exact, 0.05).vertices - exact.vertices
+    half = exact.vertices[:, 0] > 0
+    mesh = curvlib.Mesh(exact.vertices + moves * half[:, None], exact.faces)
     found = curvlib.estimate(mesh, "adaptive_fit")
-    assert found.choice.calls != ("jet(degree=6, rings=3)",)
-    passes = Passes(mesh, 1)
-    fixed = [
-        passes.estimates(adaptive_fit.polynomial, degree=degree, rings=rings)["K"]
-        for degree, scales in adaptive_fit.RINGS.items()
-        for rings in scales[:-1]
-    ]
-    errors = [np.abs(K - exact.K).mean() for K in fixed]
-    assert np.abs(found.K - exact.K).mean() < 1.6 * min(errors)
+    error = np.abs(found.K - exact.K)
+    quiet, loud = exact.vertices[:, 0] < -0.6, exact.vertices[:, 0] > 0.1
+    assert error[quiet].max() < 1e-3
+    least = min(
+        np.abs(curvlib.estimate(mesh, name, **options).K - exact.K)[loud].mean()
+        for name, options in fixed()
+    )
+    assert error[loud].mean() < 1.5 * least
+    exact_fit = found.choice.calls.index("compact_hermite(degree=6)")
+    assert (found.choice.index[quiet] == exact_fit).mean() > 0.9
+    assert not (found.choice.index[half] == exact_fit).any()
 
 
-def test_staircases_get_averaged_normals():
-    mesh = voxel_sphere(10)
+@pytest.mark.parametrize("surface", ["torus", "ellipsoid", "patch"])
+def test_displaced_vertices_spoil_nothing(surface):
+    exact, rng = jittered(surface, 50, 5), np.random.default_rng(5)
+    far = rng.choice(2500, 12, replace=False)
+    vertices = exact.vertices.copy()
+    vertices[far] += 5 * exact.mean_edge * exact.normals[far] * rng.choice([-1, 1], (12, 1))
+    clean = curvlib.estimate(curvlib.Mesh(exact.vertices, exact.faces), "adaptive_fit")
+    found = curvlib.estimate(curvlib.Mesh(vertices, exact.faces), "adaptive_fit")
+    scale = np.abs(exact.K).max()
+    assert np.abs(found.K - exact.K)[~exact.boundary].max() < 0.1 * scale
+    assert np.abs(found.K - clean.K).mean() < 1e-3 * scale
+
+
+@pytest.mark.parametrize(("r", "off"), [(10, 0.01), (30, 0.03)])
+def test_staircases_get_averaged_normals(r, off):
+    mesh = voxel_sphere(r)
     found = curvlib.estimate(mesh, "adaptive_fit")
-    assert found.choice.calls[0].startswith("ball_regression")
+    assert all(call.startswith("ball_regression") for call in found.choice.calls)
     mean = np.linalg.norm(mesh.vertices, axis=1).mean()
-    assert np.abs(found.H * mean - 1).mean() < 0.05
+    for k in (found.k1, found.k2, found.H):
+        assert np.abs(k * mean - 1).mean() < off
+
+
+def test_what_it_took_can_be_called():
+    mesh = noisy(jittered("patch", 40, 6), 0.01)
+    found = curvlib.estimate(mesh, "adaptive_fit")
+    for k, call in enumerate(found.choice.calls):
+        name, options = re.fullmatch(r"(\w+)\((.*)\)", call).groups()
+        chosen = dict(eval(f"dict({options})"))
+        at = found.choice.index == k
+        np.testing.assert_array_equal(found.H[at], curvlib.estimate(mesh, name, **chosen).H[at])
 
 
 def test_threads_change_no_byte():
