@@ -1,4 +1,5 @@
-"""Polynomials over more and more rings of one disk, in one frame: their change with the scale."""
+"""Polynomials over more and more rings of one disk, in one frame; how a sample of them changes with
+the scale."""
 
 from typing import Literal
 
@@ -62,3 +63,69 @@ def _within(disk, rings):
     """Set the weights of a disk to 1 within some rings, else to 0."""
     for i in range(disk.count):
         disk.weights[i] = 1.0 if disk.hops[i] <= rings else 0.0
+
+
+def nearest(points, sample, count):
+    """The places of a sample that are nearest to points.
+
+    Parameters
+    ----------
+    points : (m, 3)
+    sample : (k, 3)
+        Some of the points, or all.
+    count : int
+        How many are wanted where the sample is all of the points.
+
+    Returns
+    -------
+    (m, n) int
+        n is as many as there are of `count` points.
+    """
+    distances = sum((x[:, None] - y) ** 2 for x, y in zip(points.T, sample.T))
+    n = max(1, min(count, len(points)) * len(sample) // len(points))
+    return np.argpartition(distances, n - 1, axis=1)[:, :n]
+
+
+def means(squares, near, outliers):
+    """Trimmed means of squares over groups of a sample, and over all of it.
+
+    Parameters
+    ----------
+    squares : (k,)
+    near : (m, n) int
+        The groups.
+    outliers : float
+        The part of the largest that is left out.
+
+    Returns
+    -------
+    (m + 1,)
+        Infinite where no square is finite.
+    """
+    return np.concatenate([_trimmed(squares[near], outliers), _trimmed(squares[None], outliers)])
+
+
+def _trimmed(squares, outliers):
+    x = np.sort(squares, axis=1)
+    count = np.isfinite(x).sum(1)
+    kept = count - (outliers * count).astype(int)
+    total = np.where(np.arange(x.shape[1]) < kept[:, None], x, 0).sum(1)
+    return np.where(kept > 0, total / np.maximum(kept, 1), np.inf)
+
+
+def ratios(a, b, near):
+    """Ratios of the median absolute values of a and b over groups of a sample, and over all of it.
+
+    Parameters
+    ----------
+    a, b : (k,)
+        NaN counts as 0.
+    near : (m, n) int
+        The groups.
+
+    Returns
+    -------
+    (m + 1,)
+    """
+    groups, a, b = (near, np.arange(len(a))[None]), *np.nan_to_num(np.abs((a, b)))
+    return np.concatenate([np.median(a[g], 1) / np.median(b[g], 1) for g in groups])

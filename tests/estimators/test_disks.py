@@ -3,7 +3,7 @@
 import os
 import subprocess
 import sys
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 import pytest
@@ -92,6 +92,26 @@ def estimate(ring, field):
     assert field.shape == (3, *(np.array(ring.areas.shape) + (1, 0)))
     return (field[:, 0] * field[:, 1:].mean(1)).sum(0), None
 """
+
+
+def test_a_field_takes_a_part_of_a_length():
+    """In the unit of the mesh, in mean edges, and on a mesh whose lengths are scaled."""
+
+    def within(disk, radius: Annotated[Length, 0.5] = "3 edges"):
+        return disk.radius, radius
+
+    def estimate(disk, within, radius: Length = "3 edges"):
+        return disk.radius / within[0, 0], radius / within[1, 0]
+
+    estimate.__globals__["within"] = within
+    points, faces = torus(40, "regular")
+    for scale in (1.0, 1e150):
+        mesh = curvlib.Mesh(points * scale, faces)
+        for options in ({}, {"radius": 4 * mesh.mean_edge}):
+            found = curvlib.estimate(mesh, estimate, **options)
+            # Values are turned to the unit of the mesh.
+            np.testing.assert_allclose(found.H / mesh.unit, 2)
+            assert 1.4 < np.median(found.K) / mesh.unit**2 < 3
 
 
 def test_a_field_of_rings(tmp_path):
