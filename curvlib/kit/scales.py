@@ -6,37 +6,41 @@ from typing import Literal
 import numpy as np
 
 from .compiled import kernel
+from .disk import SPACE
+from .parts import part
 from .polynomial import fit_polynomial
 from .tensor import from_graph
-from .vectors import tangents
+from .vectors import at, tangents
 
 # By degree.
 RINGS = {4: (3, 4, 5, 6, 8, 10, 13), 6: (3, 4, 5, 6, 8)}
+OF_FOUR, OF_SIX = RINGS[4], RINGS[6]
+FORMS = SPACE - 24  # place in Disk.space, behind what `fit_polynomial` needs
 
 
 @kernel
 def sextic(disk, rings: Literal[8] = 8):
     """Half of f_xx + f_yy of a polynomial of degree 6 through the vertex, over three rings with
     weights exp(-(hop / 3)^2); and f_xx, f_xy and f_yy of polynomials with a constant over each of
-    RINGS[6] of a `disk`, of which `rings` is the last."""
+    RINGS[6] of a `disk`, of which `rings` is the last. NaN where there are not so many."""
     X, Y, N = _frame(disk)
-    a, b, c = _over(disk, X, Y, N, 6, 3), _over(disk, X, Y, N, 6, 4), _over(disk, X, Y, N, 6, 5)
-    d, e = _over(disk, X, Y, N, 6, 6), _over(disk, X, Y, N, 6, 8)
+    f = part(disk.space, FORMS, (3, len(OF_SIX)))
+    _set_forms(disk, X, Y, N, 6, OF_SIX, f)
     for i in range(disk.count):
         hop = disk.hops[i]
         disk.weights[i] = np.exp(-((hop / 3) ** 2)) if hop <= 3 else 0.0
-    f, _ = fit_polynomial(disk, X, Y, N, 1, 6)
-    return ((f[2] + f[4]) / 2, *a, *b, *c, *d, *e)
+    d, _ = fit_polynomial(disk, X, Y, N, 1, 6)
+    return ((d[2] + d[4]) / 2, *at(f, 0), *at(f, 1), *at(f, 2), *at(f, 3), *at(f, 4))
 
 
 @kernel
 def quartic(disk, rings: Literal[13] = 13):
     """f_xx, f_xy and f_yy of polynomials of degree 4 over each of RINGS[4] of a `disk`;
-    `rings` is the last."""
+    `rings` is the last. NaN where there are not so many."""
     X, Y, N = _frame(disk)
-    a, b, c = _over(disk, X, Y, N, 4, 3), _over(disk, X, Y, N, 4, 4), _over(disk, X, Y, N, 4, 5)
-    d, e, f = _over(disk, X, Y, N, 4, 6), _over(disk, X, Y, N, 4, 8), _over(disk, X, Y, N, 4, 10)
-    return (*a, *b, *c, *d, *e, *f, *_over(disk, X, Y, N, 4, 13))
+    f = part(disk.space, FORMS, (3, len(OF_FOUR)))
+    _set_forms(disk, X, Y, N, 4, OF_FOUR, f)
+    return (*at(f, 0), *at(f, 1), *at(f, 2), *at(f, 3), *at(f, 4), *at(f, 5), *at(f, 6))
 
 
 @kernel
@@ -51,11 +55,15 @@ def _frame(disk):
 
 
 @kernel
-def _over(disk, X, Y, N, degree, rings):
-    """f_xx, f_xy and f_yy of a polynomial over some rings of a disk."""
-    _within(disk, rings)
-    derivatives, _ = fit_polynomial(disk, X, Y, N, 0, degree)
-    return derivatives[2], derivatives[3], derivatives[4]
+def _set_forms(disk, X, Y, N, degree, scales, forms):
+    """Set forms (3, n) to f_xx, f_xy and f_yy of polynomials over so many rings of a disk."""
+    for j in range(len(scales)):
+        _within(disk, scales[j])
+        derivatives, _ = fit_polynomial(disk, X, Y, N, 0, degree)
+        # The same neighbours again would look like a fit that stands still.
+        there = 1.0 if disk.hops[disk.count - 1] >= scales[j] else np.nan
+        for k in range(3):
+            forms[k, j] = there * derivatives[2 + k]
 
 
 @kernel

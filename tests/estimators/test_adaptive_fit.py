@@ -143,3 +143,11 @@ def test_threads_change_no_byte():
 def test_a_mesh_without_disks_has_no_values():
     mesh = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.empty((0, 3), int)
     assert np.isnan(curvlib.estimate(mesh, "adaptive_fit").K).all()
+
+
+@pytest.mark.parametrize("surface", ["torus", "ellipsoid"])
+def test_coarse_meshes(surface):
+    """Larger rings than the mesh has are no choice."""
+    mesh = jittered(surface, 12, 1)
+    error = np.abs(curvlib.estimate(mesh, "adaptive_fit").K - mesh.K).mean()
+    assert error < 1.5 * np.abs(curvlib.estimate(mesh, "quadric").K - mesh.K).mean()
