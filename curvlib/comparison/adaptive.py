@@ -1,6 +1,7 @@
 """The estimator that chooses its fit, `adaptive_fit`, against every fixed fit on noisy meshes.
 
-Neither surfaces nor seeds are those that constants of the estimator were chosen on.
+Constants of the estimator were set on the surfaces of `jittered`. Those here served as a check while
+they were, with other seeds: the seed here was used for nothing else.
 """
 
 import numpy as np
@@ -14,7 +15,7 @@ from curvlib.meshes.torus import torus
 
 from .calls import Call
 
-N, SEED = 50, 101
+N, SEED = 50, 2003
 # Vertices that a trial of outliers displaces, and by how many mean edges.
 PART, FAR = 0.005, 5.0
 RADII = 1.5, 2, 2.8, 4, 5.6, 8, 11, 16  # of balls, in mean edges
