@@ -1,7 +1,7 @@
 """The estimator that chooses its fit, `adaptive_fit`, against every fixed fit on noisy meshes.
 
-Constants of the estimator were set on the surfaces of `jittered`. Those here served as a check while
-they were, with other seeds: the seed here was used for nothing else.
+Constants of the estimator were set on the surfaces of `jittered`. Those here served as a check
+meanwhile, with other seeds: the seed here was used for nothing else.
 """
 
 import numpy as np
