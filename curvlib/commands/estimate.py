@@ -77,11 +77,11 @@ def command(meshes, names, output, per, columns, by, picture, as_json, **options
 def _outputs(meshes, pattern, per):
     """The path that is written for each mesh, None without a pattern; all are checked before any
     estimate. `per` is None for a picture."""
+    if pattern is None:
+        return [None] * len(meshes)
     from curvlib.errors import InputError
     from curvlib.meshes.writing import check_output
 
-    if pattern is None:
-        return [None] * len(meshes)
     paths = [pattern.replace("{stem}", Path(mesh).stem) for mesh in meshes]
     if len(set(paths)) < len(paths):
         raise InputError(
@@ -104,7 +104,6 @@ def _run(path, names, out, png, per, columns, by, as_json, options):
     from curvlib.columns import columns as named
     from curvlib.estimation import BECAUSE, RECOMMENDED
     from curvlib.meshes.labels import read_labels
-    from curvlib.meshes.writing import write
     from curvlib.regions import PROBABILITIES, by_region, quantiles
 
     if not Path(path).exists() and path in curvlib.estimators():
@@ -157,6 +156,8 @@ def _run(path, names, out, png, per, columns, by, as_json, options):
     if table and out and Path(out).suffix == ".csv":
         write_csv(out, table)
     elif out:
+        from curvlib.meshes.writing import write
+
         write(out, mesh, all_columns, per)
     if table and not (out and Path(out).suffix == ".csv") and not as_json:
         print(csv_text(table), end="")
