@@ -60,10 +60,11 @@ def _from_one(words, seen, count):
 def read_off(data):
     """Vertices (V, 3), triangles (F, 3) and normals (V, 3) or None, from an OFF file."""
     lines = [words for words in (x.partition(b"#")[0].split() for x in data.splitlines()) if words]
-    kind = OFF.fullmatch(lines[0][0]) if lines else None
+    kind = OFF.match(lines[0][0]) if lines else None
     if not kind or kind["other"] or b"BINARY" in lines[0]:
         raise InputError("it is no OFF file of text and of points in space")
-    lines[0] = lines[0][1:]
+    rest = lines[0][0][kind.end() :]  # the first number, with no space between
+    lines[0] = [rest, *lines[0][1:]] if rest else lines[0][1:]
     lines = lines if lines[0] else lines[1:]
     counts = values(lines[0][:2], int) if lines else np.zeros(0, int)
     if len(counts) < 2 or counts.min() < 0:

@@ -35,6 +35,8 @@ def read_ply(data):
     points = np.column_stack([vertex[x] for x in "xyz"])
     lists = [face[name] for name in CORNERS if name in face]
     corners = fans(*lists[0]) if lists else np.zeros((0, 3), int)
+    strips = [found.get("tristrips", {}).get(name) for name in CORNERS]
+    corners = np.vstack((corners, *(_of_strips(*x) for x in strips if x)))
     if corners.dtype.kind == "f":
         if not (corners == np.floor(corners)).all():
             raise InputError("a face names what is no index")
@@ -42,6 +44,19 @@ def read_ply(data):
     if not {"nx", "ny", "nz"} <= set(vertex):
         return points, corners, None
     return points, corners, np.column_stack([vertex[x] for x in ("nx", "ny", "nz")])
+
+
+def _of_strips(sizes, corners):
+    """Triangles (F, 3) of strips: each corner from the third on with the two before it.
+
+    A strip ends with its list or with -1.
+    """
+    corners = np.insert(corners, np.cumsum(sizes), -1)
+    start = np.where(np.append(True, corners[:-1] < 0), np.arange(len(corners)), 0)
+    odd = (np.arange(len(corners)) - np.maximum.accumulate(start))[:-2] % 2 == 1
+    faces = np.column_stack((corners[:-2], corners[1:-1], corners[2:]))
+    faces[odd, :2] = faces[odd, 1::-1]
+    return faces[(faces >= 0).all(1)]
 
 
 def _header(data):

@@ -176,6 +176,19 @@ def test_ply_of_any_layout(tmp_path, form, mixed):
     np.testing.assert_array_equal(mesh.faces, fans)
 
 
+def test_strips_of_a_ply(tmp_path):
+    """Two strips in one list and one of two triangles, which agree over their edges."""
+    path = tmp_path / "strips.ply"
+    path.write_text(
+        "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+        "property float z\nelement tristrips 2\nproperty list int int vertex_indices\n"
+        "end_header\n0 0 0 1 0 0 0 1 0 1 1 0 0 2 0 1 2 0\n10 0 1 2 3 4 -1 0 1 5 -1\n4 5 4 3 2\n"
+    )
+    mesh = curvlib.read(path)
+    expected = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [0, 1, 5], [5, 4, 3], [3, 4, 2]]
+    assert mesh.faces.tolist() == expected
+
+
 @pytest.mark.parametrize(
     ("name", "text", "message"),
     [
