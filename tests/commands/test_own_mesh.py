@@ -131,7 +131,7 @@ def test_info_says_what_to_do(ball, run):
     assert status == 0
     assert "162 vertices, 320 triangles" in out
     assert "closed, genus 0" in out
-    assert "1 closed components that face inward" in out
+    assert "closed components that face inward: 1 (0)" in out
     assert "curvlib estimate inside.ply --orient -o values.vtp" in out
     assert "nothing found" in run("info", "ball.ply")[1]
 
