@@ -26,10 +26,11 @@ DOORS = {
     "peers": {"files", "kit"},
     "nurbs": {"errors", "kit", "meshes"},
     "surfaces": {"catalogue", "errors", "nurbs"},
-    "estimates": {"columns", "errors", "kit", "meshes", "regions"},
+    "causes": {"errors", "meshes"},
+    "estimates": {"causes", "columns", "kit", "meshes", "regions"},
     "signatures": {"catalogue", "errors", "kit"},
     "passes": {"catalogue", "errors", "kit", "meshes", "parallel"},
-    "estimation": {"errors", "estimates", "meshes", "passes", "signatures"},
+    "estimation": {"causes", "errors", "estimates", "meshes", "passes", "signatures"},
     "dataset": {"errors", "files", "meshes", "nurbs"},
     "comparison": {
         "catalogue",

@@ -24,13 +24,13 @@ def command(surface, n, output, diagonal, seed, as_json):
     SURFACE is a name of `curvlib list` or the path of a .py file.
     """
     import curvlib
-    from curvlib.columns import QUANTITIES
+    from curvlib.columns import EXACT
     from curvlib.meshes.writing import check_output, write
 
     check_output(output)
     random = {"seed": seed} if diagonal == "random" else {}
     mesh = curvlib.tessellate(curvlib.surface(surface), n, diagonal=diagonal, **random)
-    named = {name: getattr(mesh, name, None) for name in ("normals", *QUANTITIES)}
+    named = {name: getattr(mesh, name) for name in ("normals", *EXACT)}
     write(output, mesh, {name: x for name, x in named.items() if x is not None})
     vertices, triangles = len(mesh.vertices), len(mesh.faces)
     if as_json:

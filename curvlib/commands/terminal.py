@@ -58,16 +58,43 @@ def told_warnings():
 
 def progress(items, words):
     """Yield the items; after a second `words(item)` and their number are shown on a terminal."""
-    items, start, shown = list(items), time.monotonic(), False
+    items, line = list(items), Line()
     for number, item in enumerate(items):
-        if sys.stderr.isatty() and time.monotonic() - start > PATIENCE:
-            shown = True
-            bar = "#" * (20 * number // len(items))
-            line = f"[{bar:<20}] {number}/{len(items)} {words(item)}"
-            print(f"\r\x1b[K{line}", end="", file=sys.stderr, flush=True)
+        line.show(number, len(items), f"{number}/{len(items)} {words(item)}")
         yield item
-    if shown:
-        print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+    line.clear()
+
+
+@contextmanager
+def progress_of_work(words):
+    """Show on a terminal, after a second, how much of the vertices each pass has done."""
+    from curvlib.parallel import watched
+
+    line = Line()
+    with watched(lambda done, count: line.show(done, count, f"{done / count:4.0%} {words}")):
+        yield
+    line.clear()
+
+
+class Line:
+    """A line of progress on stderr, where that is a terminal, after PATIENCE seconds."""
+
+    def __init__(self):
+        self._due = time.monotonic() + PATIENCE if sys.stderr.isatty() else math.inf
+        self._shown = False
+
+    def show(self, done, count, words):
+        """Show it again, ten times a second at most."""
+        now = time.monotonic()
+        if now >= self._due:
+            self._due, self._shown = now + 0.1, True
+            bar = "#" * (20 * done // count)
+            print(f"\r\x1b[K[{bar:<20}] {words}", end="", file=sys.stderr, flush=True)
+
+    def clear(self):
+        """Leave an empty line, if it was shown."""
+        if self._shown:
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 
 
 @contextmanager
