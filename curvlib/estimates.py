@@ -222,7 +222,7 @@ class Estimates:
             for found in [quantiles(self.mesh, values, self.per)]
         ]
         parts = zip(CATEGORIES, shares(self.mesh, self.category, len(CATEGORIES), self.per))
-        shapes = ", ".join(f"{name} {part:.0%}" for name, part in parts if part > 0)
+        shapes = ", ".join(f"{name} {part:.0%}" for name, part in parts if part >= 0.005)
         lacking = ", ".join(f"{n} {cause}" for cause, n in self.undefined.items()) or "nowhere"
         return (
             f"<p>{repr(self)[1:-1]}; undefined: {lacking}</p>"

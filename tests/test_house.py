@@ -69,6 +69,7 @@ DOORS = {
         "files",
         "kit",
         "meshes",
+        "parallel",
         "regions",
         "signatures",
     },

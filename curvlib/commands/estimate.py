@@ -8,6 +8,7 @@ import click
 from .mending import mended
 from .summary import document, text
 from .terminal import (
+    check_picture,
     csv_text,
     json_option,
     progress,
@@ -110,8 +111,8 @@ def _outputs(meshes, pattern, per):
     for path in paths:
         if per is not None:
             check_output(path, per)
-        elif Path(path).suffix != ".png":
-            raise InputError(f"{path!r}: a picture is a .png file")
+        else:
+            check_picture(path)
     return paths
 
 

@@ -120,6 +120,14 @@ def told_of_compiling():
         yield
 
 
+def check_picture(path) -> None:
+    """Raise InputError where a path, or None for no picture, is no .png file."""
+    from curvlib.errors import InputError
+
+    if path is not None and not path.endswith(".png"):
+        raise InputError(f"{path!r}: a picture is a .png file")
+
+
 def number(value) -> str:
     """Four significant digits; "-" for NaN."""
     return "-" if value != value else f"{value:.4g}"

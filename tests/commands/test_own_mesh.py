@@ -155,9 +155,24 @@ def test_a_file_of_ones_own(tmp_path, monkeypatch, run):
     assert "2 of 12 checks failed" in out
     status, out, _ = run("check", "meyer", "--json")
     assert (status, json.loads(out)["failed"]) == (0, 0)
+
+
+def test_compare(tmp_path, monkeypatch, run):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.py").write_text(MINE, encoding="utf-8")
     arguments = ["compare", "mine.py", "--against", "meyer", "-n", 8, "-n", 12, "--seeds", 1]
     status, out, _ = run(*arguments, "-o", "all.csv", "--json")
     assert status == 0
-    rows = json.loads(out)["rows"]
-    assert {(row["best"], row["rank"], row["of"]) for row in rows} >= {("meyer", 2, 2)}
-    assert set(pandas.read_csv("all.csv").estimator) == {"mine", "meyer"}
+    told = json.loads(out)
+    assert {(row["best"], row["rank"], row["of"]) for row in told["rows"]} >= {("meyer", 2, 2)}
+    assert told["ratios"]["meyer"]["K"] == 1
+    first = pandas.read_csv("all.csv")
+    assert set(first.estimator) == {"mine", "meyer"}
+    status, out, _ = run(*arguments, "--seed", told["seed"], "-o", "b.csv", "--picture", "b.png")
+    assert f"--seed {told['seed']} makes the same" in out
+    assert "1. meyer" in out
+    assert "2. mine" in out
+    pandas.testing.assert_frame_equal(pandas.read_csv("b.csv"), first)
+    assert pyvista.read("b.png").dimensions[0] > 500
+    run(*arguments, "-o", "c.csv")
+    assert not pandas.read_csv("c.csv").value.equals(first.value)
