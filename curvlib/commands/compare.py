@@ -3,8 +3,10 @@
 import click
 
 from .terminal import (
+    PATH,
     check_picture,
     json_option,
+    names_of,
     number,
     progress,
     put_json,
@@ -17,9 +19,13 @@ FIRST = 5  # of the standing that are shown
 
 
 @click.command()
-@click.argument("mine", metavar="MINE.py")
+@click.argument("mine", metavar="MINE.py", type=PATH)
 @click.option(
-    "--against", multiple=True, metavar="NAME", help="May be repeated. Default: all estimators."
+    "--against",
+    multiple=True,
+    metavar="NAME",
+    shell_complete=names_of("estimators"),
+    help="May be repeated. Default: all estimators.",
 )
 @click.option(
     "-n",
@@ -36,8 +42,8 @@ FIRST = 5  # of the standing that are shown
     type=click.IntRange(0),
     help="Of the first mesh. Default: drawn anew each time, so that nothing is tuned to it.",
 )
-@click.option("-o", "--output", metavar="CSV", help="All errors, orders and ranks.")
-@click.option("--picture", metavar="PNG", help="Errors against n, among all others.")
+@click.option("-o", "--output", metavar="CSV", type=PATH, help="All errors, orders and ranks.")
+@click.option("--picture", metavar="PNG", type=PATH, help="Errors against n, among all others.")
 @json_option
 @threads_option
 def command(mine, against, resolutions, seeds, seed, output, picture, as_json, threads):

@@ -8,9 +8,11 @@ import click
 from .mending import mended
 from .summary import document, text
 from .terminal import (
+    PATH,
     check_picture,
     csv_text,
     json_option,
+    names_of,
     progress,
     progress_of_work,
     put_json,
@@ -24,14 +26,21 @@ from .terminal import (
 SHOWN = ("K", "H", "k1", "k2", "K_error", "H_error")
 
 
+def _quantities(context, parameter, begun):
+    from curvlib.columns import QUANTITIES
+
+    return [name for name in QUANTITIES if name.startswith(begun)]
+
+
 @click.command()
-@click.argument("meshes", nargs=-1, required=True, metavar="MESH...")
+@click.argument("meshes", nargs=-1, required=True, metavar="MESH...", type=PATH)
 @click.option(
     "-e",
     "--estimator",
     "names",
     multiple=True,
     metavar="NAME",
+    shell_complete=names_of("estimators", "peers"),
     help="A name of `curvlib list` or the path of a .py file; may be repeated. Without: the "
     "recommended one.",
 )
@@ -39,6 +48,7 @@ SHOWN = ("K", "H", "k1", "k2", "K_error", "H_error")
     "-o",
     "--output",
     metavar="OUT",
+    type=PATH,
     help=".vtp .vtk .vtkhdf .ply .csv .parquet .gii .curv; {stem} in it stands for the mesh's "
     "name, as in out/{stem}.vtp.",
 )
@@ -50,6 +60,7 @@ SHOWN = ("K", "H", "k1", "k2", "K_error", "H_error")
     "quantities",
     multiple=True,
     metavar="NAME",
+    shell_complete=_quantities,
     help="Of K H k1 k2 d1 d2 shape_index curvedness category bending_energy K_error H_error; may "
     "be repeated. Default: all that there are.",
 )
@@ -70,12 +81,15 @@ SHOWN = ("K", "H", "k1", "k2", "K_error", "H_error")
 @click.option(
     "--by",
     metavar="LABEL",
+    type=PATH,
     help="Statistics over the area by region, as CSV: to OUT if it is a .csv, else to the "
     "terminal. LABEL: data of the mesh's file, or a .label.gii or .annot file.",
 )
 @click.option("--weld", is_flag=True, help="Join points at one place in what is written, too.")
 @click.option("--orient", is_flag=True, help="Turn triangles to agree, and outward if closed.")
-@click.option("--picture", metavar="PNG", help="A picture of the first quantity, K by default.")
+@click.option(
+    "--picture", metavar="PNG", type=PATH, help="A picture of the first quantity, K by default."
+)
 @json_option
 @threads_option
 def command(meshes, names, output, per, columns, by, picture, **options):

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from .terminal import json_option, number, put_json, told_warnings
+from .terminal import PATH, json_option, number, put_json, told_warnings
 
 SHOWN = 5  # places of each fault
 # Noise in mean edges, and from there on the radius, in edges, at which `ball_regression` has the
@@ -20,7 +20,7 @@ OF_VERTICES = ("vertices that stand where another does", "vertices without a tri
 
 
 @click.command()
-@click.argument("mesh", metavar="MESH")
+@click.argument("mesh", metavar="MESH", type=PATH)
 @json_option
 def command(mesh, as_json):
     """Describe a mesh: what is wrong for curvature, and what to do."""

@@ -2,13 +2,15 @@
 
 import click
 
-from .terminal import json_option, put_json
+from .terminal import PATH, json_option, names_of, put_json
 
 
 @click.command()
-@click.argument("surface", metavar="SURFACE")
+@click.argument("surface", metavar="SURFACE", shell_complete=names_of("surfaces"))
 @click.option("-n", type=click.IntRange(2), required=True, help="Steps of the grid, each way.")
-@click.option("-o", "--output", metavar="OUT", required=True, help="As of `curvlib estimate`.")
+@click.option(
+    "-o", "--output", metavar="OUT", type=PATH, required=True, help="As of `curvlib estimate`."
+)
 @click.option(
     "--diagonal",
     type=click.Choice(["same", "alternate", "random", "shortest"]),

@@ -13,10 +13,23 @@ import click
 
 PATIENCE = 1.0  # seconds before progress is shown
 
+PATH = click.Path()  # of a file, which shells complete
 json_option = click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
 threads_option = click.option(
     "--threads", type=click.IntRange(1), default=1, show_default=True, help="Number of threads."
 )
+
+
+def names_of(*rooms):
+    """A completion of names in catalogues: "estimators", "peers" or "surfaces"."""
+
+    def complete(context, parameter, begun):
+        from curvlib import catalogue
+
+        names = [name for room in rooms for name in getattr(catalogue, room).names()]
+        return [name for name in names if name.startswith(begun)]
+
+    return complete
 
 
 def put_json(document) -> None:
@@ -86,7 +99,7 @@ class Line:
     def show(self, done, count, words):
         """Show it again, ten times a second at most."""
         now = time.monotonic()
-        if now >= self._due:
+        if now >= self._due and (self._shown or done < count):
             self._due, self._shown = now + 0.1, True
             bar = "#" * (20 * done // count)
             print(f"\r\x1b[K[{bar:<20}] {words}", end="", file=sys.stderr, flush=True)
