@@ -147,12 +147,17 @@ class Estimates:
         Where it returns no value at all, every vertex lacks one.
         """
         lacking = np.full(len(self.K), not self._found)
-        for values in self._found.values():
-            lacking |= np.isnan(values.reshape(len(lacking), -1)).any(1)
+        undirected = np.zeros_like(lacking)
+        for name, values in self._found.items():
+            if name in ("d1", "d2"):
+                undirected |= np.isnan(values).any(1)
+            else:
+                lacking |= np.isnan(values)
         if self.per == "face":
             causes = causes_at_triangles(self._mesh, lacking)
         else:
             causes = causes_at_vertices(self._mesh, lacking, self._given, self._index)
+        causes["umbilic, without d1 and d2"] = (undirected & ~lacking).sum()
         return {cause: int(n) for cause, n in causes.items() if n}
 
     @cached_property
