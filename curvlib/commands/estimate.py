@@ -6,11 +6,10 @@ from pathlib import Path
 import click
 
 from .mending import mended
-from .summary import document, text
+from .summary import document, regions, text
 from .terminal import (
     PATH,
     check_picture,
-    csv_text,
     json_option,
     names_of,
     progress,
@@ -82,8 +81,9 @@ def _quantities(context, parameter, begun):
     "--by",
     metavar="LABEL",
     type=PATH,
-    help="Statistics over the area by region, as CSV: to OUT if it is a .csv, else to the "
-    "terminal. LABEL: data of the mesh's file, or a .label.gii or .annot file.",
+    help="Statistics over the area by region: to OUT if it is a .csv, with percentiles and "
+    "histograms, else to the terminal. LABEL: data of the mesh's file, or a .label.gii or .annot "
+    "file.",
 )
 @click.option("--weld", is_flag=True, help="Join points at one place in what is written, too.")
 @click.option("--orient", is_flag=True, help="Turn triangles to agree, and outward if closed.")
@@ -145,7 +145,7 @@ def _run(path, names, out, png, per, columns, by, options):
     say(f"{path}: {len(mesh.vertices)} vertices, {len(mesh.faces)} triangles")
     if not names:
         say(f"  estimator {RECOMMENDED[per]}: {BECAUSE[per]}")
-    labels, labelled, regions = read_labels(by, path, mesh) if by else (None, None, {})
+    labels, labelled, names_of_labels = read_labels(by, path, mesh) if by else (None, None, {})
     told = {"mesh": path, "vertices": len(mesh.vertices), "triangles": len(mesh.faces)}
     mesh, kept, counts = mended(mesh, options["weld"], options["orient"])
     told |= counts
@@ -169,17 +169,18 @@ def _run(path, names, out, png, per, columns, by, options):
         stem = Path(name).stem if name.endswith(".py") else name
         every |= own if len(names) < 2 else {f"{column}_{stem}": x for column, x in own.items()}
     say(f"  {told['seconds']:.2f} s")
-    table = by_region(mesh, labels, labelled, _numbers(every), per, regions) if by else None
+    table = by_region(mesh, labels, labelled, _numbers(every), per, names_of_labels) if by else None
     if by:
         told["regions"] = table
-    if by and out and Path(out).suffix == ".csv":
+    of_regions = bool(by and out and Path(out).suffix == ".csv")
+    if of_regions:
         write_csv(out, table)
     elif out:
         from curvlib.meshes.writing import write
 
         write(out, mesh, every, per)
-    if by and not (out and Path(out).suffix == ".csv"):
-        say(csv_text(table).rstrip("\n"))
+    if by and not of_regions:
+        say(regions(table))
     if png and not first:
         raise curvlib.InputError(f"{png!r}: no quantity is a number that colours can show")
     if png:

@@ -52,3 +52,18 @@ def text(name, told):
     undefined = ", ".join(f"{n} {cause}" for cause, n in told["undefined"].items())
     lines.append(f"  undefined: {undefined or 'nowhere'}")
     return "\n".join(lines)
+
+
+def regions(rows):
+    """Rows of `curvlib.regions.by_region` for a terminal, without histograms."""
+    shown = ("area", "mean", "deviation", "p5", "p50", "p95")
+    cells = [
+        (
+            f"  {row['region']} {row.get('name', '')}".rstrip(),
+            row["quantity"],
+            *(number(row[key]) for key in shown),
+        )
+        for row in rows
+    ]
+    heads = ("  by region", "", *(f"{key[1:]} %" if key[0] == "p" else key for key in shown))
+    return table_text(heads, cells)

@@ -1,7 +1,6 @@
 """What the verbs share: errors and exit codes, JSON, warnings, progress, tables of text."""
 
 import csv
-import io
 import json
 import math
 import sys
@@ -157,18 +156,11 @@ def table_text(head, rows) -> str:
     return "\n".join(lines)
 
 
-def csv_text(rows: list[dict]) -> str:
-    """CSV of rows with the same keys."""
-    text = io.StringIO()
-    writer = csv.DictWriter(text, rows[0], lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return text.getvalue()
-
-
 def write_csv(path, rows: list[dict]) -> None:
-    """Write `csv_text`, whole or not at all."""
+    """Write CSV of rows with the same keys, whole or not at all."""
     from curvlib.files import whole_file
 
-    with whole_file(path) as part:
-        part.write_text(csv_text(rows), encoding="utf-8")
+    with whole_file(path) as part, open(part, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)

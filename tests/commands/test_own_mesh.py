@@ -10,6 +10,7 @@ import pyvista
 import trimesh
 
 import curvlib
+from curvlib.meshes.torus import torus
 
 
 def test_estimate_of_a_soup_has_values_at_the_files_points(ball, run):
@@ -111,6 +112,8 @@ def test_statistics_by_region(ball, run):
         assert list(H.region) == [0, 1]
         assert abs(H["mean"] - 0.5).max() < 0.06
         assert abs(H.area.sum() - ball.area) < 1e-6 * ball.area
+    out = run("estimate", "ball.vtp", "--by", "a.label.gii", "--quantity", "H")[1]
+    assert out.count("0 low") == out.count("1 high") == 1
     status, _, err = run("estimate", "ball.vtp", "--by", "hal")
     assert (status, err.count("\n")) == (1, 1)
     assert "did you mean 'half'" in err
@@ -176,3 +179,59 @@ def test_compare(tmp_path, monkeypatch, run):
     assert pyvista.read("b.png").dimensions[0] > 500
     run(*arguments, "-o", "c.csv")
     assert not pandas.read_csv("c.csv").value.equals(first.value)
+
+
+def test_quantities_are_chosen(ball, run):
+    arguments = "estimate", "ball.ply", "-e", "meyer", "-o", "a.csv", "--c0", 1
+    chosen = "--quantity", "bending_energy", "--quantity", "category"
+    status, out, _ = run(*arguments, *chosen)
+    assert status == 0
+    table = pandas.read_csv("a.csv")
+    assert list(table) == ["x", "y", "z", "bending_energy", "category"]
+    assert table.bending_energy.max() < 1e-3  # H is 1/2 everywhere
+    assert (table.category == 8).all()
+    assert "(2 H - 1)^2 / 2" in out
+    assert "shape by area: cap 100%" in out
+    told = json.loads(run("estimate", "ball.ply", "-e", "meyer", "--json")[1])["estimators"][
+        "meyer"
+    ]
+    assert abs(told["bending_energy"] / (8 * np.pi) - 1) < 0.03
+    assert abs(told["integral_of_K"] / (4 * np.pi) - 1) < 0.03
+    assert told["categories"]["cap"] == 1
+    status, _, err = run(*arguments, "--quantity", "shape-index")
+    assert status == 1
+    assert "did you mean 'shape_index'" in err
+    status, _, err = run("estimate", "ball.ply", "--quantity", "category", "--picture", "a.png")
+    assert status == 1
+    assert "no quantity is a number" in err
+
+
+def test_labels_that_do_not_fit(ball, run):
+    colours = np.array([[1, 2, 3, 0]])
+    nibabel.freesurfer.write_annot("lh.a.annot", np.zeros(7, int), colours, ["low"])
+    nibabel.freesurfer.write_geometry("lh.white", ball.points, ball.regular_faces)
+    for by, words in (
+        ("lh.a.annot", "7 labels, but the mesh has 162 vertices and 320 triangles"),
+        ("none.annot", "no such file"),
+        ("region", "finds no point or cell data in 'lh.white'; name a label file"),
+    ):
+        status, _, err = run("estimate", "lh.white", "--by", by)
+        assert (status, err.count("\n")) == (1, 1)
+        assert words in err
+
+
+def test_info_recommends_by_noise_and_staircase(ball, run):
+    vertices, faces = torus(40, "irregular")
+    moves = np.random.default_rng(0).normal(size=vertices.shape)
+    pyvista.PolyData.from_regular_faces(vertices + 0.01 * moves, faces).save("noisy.vtp")
+    told = json.loads(run("info", "noisy.vtp", "--json")[1])
+    assert 0.02 < told["noise"] < 0.2
+    assert not told["staircase"]
+    assert '-e ball_regression --radius "4 edges"' in told["advice"]
+    grid = pyvista.ImageData(dimensions=(21, 21, 21), origin=(-10, -10, -10))
+    inside = (np.linalg.norm(grid.points, axis=1) <= 8).astype(float)
+    grid.contour([1.0], inside, method="marching_cubes").save("voxels.vtp")
+    _, out, _ = run("info", "voxels.vtp")
+    assert "a staircase: the edges are steps of a lattice" in out
+    assert '-e ball_regression --radius "7 edges"' in out
+    assert "curvlib estimate ball.ply -o values.vtp" in run("info", "ball.ply")[1]
