@@ -53,6 +53,9 @@ class Estimates:
     >>> K, H = estimates
     """
 
+    K: np.ndarray
+    H: np.ndarray
+
     def __init__(self, mesh, found: dict, given: str, per: str = "vertex", welded=None, index=None):
         """`found`: the arrays that the estimator returned, by name; `given`: what it was given;
         `welded` and `index`: as `curvlib.weld` returns them, where `mesh` has been welded."""
