@@ -33,13 +33,20 @@ FIRST = 5  # of the standing that are shown
     type=click.IntRange(8),
     multiple=True,
     default=(25, 50, 100),
-    show_default=True,
-    help="Meshes of n^2 vertices; may be repeated.",
+    metavar="N",
+    help="Meshes of N^2 vertices, at least 8^2; may be repeated. Default: 25, 50 and 100.",
 )
-@click.option("--seeds", type=click.IntRange(1), default=3, show_default=True, help="Meshes each.")
+@click.option(
+    "--seeds",
+    type=click.IntRange(1),
+    default=3,
+    metavar="N",
+    help="Meshes of each surface and size. Default: 3.",
+)
 @click.option(
     "--seed",
     type=click.IntRange(0),
+    metavar="N",
     help="Of the first mesh. Default: drawn anew each time, so that nothing is tuned to it.",
 )
 @click.option("-o", "--output", metavar="CSV", type=PATH, help="All errors, orders and ranks.")

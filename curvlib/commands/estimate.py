@@ -21,6 +21,7 @@ from .terminal import (
     write_csv,
 )
 
+SET = "An option of the estimator, as `curvlib list NAME` tells them; may be repeated."
 # The quantities that the terminal shows, of an estimator that has them.
 SHOWN = ("K", "H", "k1", "k2", "K_error", "H_error")
 
@@ -53,7 +54,7 @@ def _quantities(context, parameter, begun):
 )
 @click.option("--rings", type=int, metavar="K", help="How many rings of neighbours.")
 @click.option("--radius", metavar="R", help='A length in the mesh\'s unit, or "5 edges".')
-@click.option("--set", "chosen", multiple=True, metavar="option=value", help="May be repeated.")
+@click.option("--set", "chosen", multiple=True, metavar="option=value", help=SET)
 @click.option(
     "--quantity",
     "quantities",
@@ -122,7 +123,9 @@ def _outputs(meshes, pattern, per):
             f"{pattern!r} would be written for more than one mesh; name it with {{stem}}, such as "
             f"{{stem}}{Path(pattern).suffix}, and meshes of different names"
         )
-    for path in paths:
+    for mesh, path in zip(meshes, paths):
+        if Path(path).resolve() == Path(mesh).resolve():
+            raise InputError(f"{path!r}: would be written over the mesh itself; name another file")
         if per is not None:
             check_output(path, per)
         else:
@@ -192,7 +195,7 @@ def _run(path, names, out, png, per, columns, by, options):
     if told["written"]:
         say(f"  written: {', '.join(told['written'])}")
     else:
-        say(f"next: curvlib estimate {path} -o {Path(path).stem}.vtp, for ParaView")
+        say("next: the same with -o values.vtp, for ParaView, or --picture values.png")
     return told
 
 

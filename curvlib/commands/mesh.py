@@ -7,7 +7,9 @@ from .terminal import PATH, json_option, names_of, put_json
 
 @click.command()
 @click.argument("surface", metavar="SURFACE", shell_complete=names_of("surfaces"))
-@click.option("-n", type=click.IntRange(2), required=True, help="Steps of the grid, each way.")
+@click.option(
+    "-n", type=click.IntRange(2), required=True, metavar="N", help="Steps of the grid, each way."
+)
 @click.option(
     "-o", "--output", metavar="OUT", type=PATH, required=True, help="As of `curvlib estimate`."
 )
@@ -18,7 +20,7 @@ from .terminal import PATH, json_option, names_of, put_json
     show_default=True,
     help="How the quadrilaterals of the grid are cut.",
 )
-@click.option("--seed", type=int, default=0, help="Of random diagonals.")
+@click.option("--seed", type=int, default=0, metavar="N", help="Of random diagonals. Default: 0.")
 @json_option
 def command(surface, n, output, diagonal, seed, as_json):
     """Make a mesh with exact K, H, k1, k2, d1 and d2.

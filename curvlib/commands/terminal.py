@@ -15,7 +15,11 @@ PATIENCE = 1.0  # seconds before progress is shown
 PATH = click.Path()  # of a file, which shells complete
 json_option = click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
 threads_option = click.option(
-    "--threads", type=click.IntRange(1), default=1, show_default=True, help="Number of threads."
+    "--threads",
+    type=click.IntRange(1),
+    default=1,
+    metavar="N",
+    help="Number of threads. Default: 1.",
 )
 
 

@@ -28,6 +28,9 @@ PROGRAM = "import sys; from curvlib.commands.main import main; sys.exit(main())"
         (["estimate", "ball.ply", "-o", "out.docx"], "cannot tell the format"),
         (["estimate", "ball.ply", "-o", "ball.ply/out.vtp"], "ball.ply"),
         (["estimate", "ball.ply", "-o", "."], "is a folder"),
+        (["estimate", "ball.ply", "-o", "./ball.ply"], "over the mesh itself"),
+        (["estimate", "ball.ply", "ball.stl", "-o", "{stem}.ply"], "more than one mesh"),
+        (["compare", "meyer", "--picture", "a.pdf"], "a picture is a .png file"),
         (["estimate", "ball.ply", "-o", "/proc/out.vtp"], "/proc/out.vtp"),
         (
             ["estimate", "ball.ply", "-e", "meyer", "--rings", "2"],
