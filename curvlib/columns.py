@@ -8,7 +8,7 @@ EXACT = ("K", "H", "k1", "k2", "d1", "d2")  # a surface has them, too
 DERIVED = ("shape_index", "curvedness", "category", "bending_energy")
 ERRORS = ("K_error", "H_error")
 QUANTITIES = (*EXACT, *DERIVED, *ERRORS)
-# The categories of the shape index, code by code.
+# The categories of the shape index, code by code, and the last where the surface is flat.
 CATEGORIES = (
     "cup",
     "trough",
@@ -19,6 +19,7 @@ CATEGORIES = (
     "ridge",
     "dome",
     "cap",
+    "flat",
 )
 # The names of pycurv's files (Salfer et al. 2020), per triangle.
 PYCURV = {

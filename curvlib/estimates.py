@@ -6,6 +6,9 @@ import numpy as np
 
 from .causes import causes_at_triangles, causes_at_vertices
 
+# Curvedness times the size of a surface, below which it is flat: it bends by its 8000th part.
+FLAT = 1e-3
+
 
 class Estimates:
     """Pointwise curvature at the vertices of a mesh; NaN where undefined.
@@ -26,10 +29,11 @@ class Estimates:
     curvedness : ndarray of float64, (V,)
         sqrt((k1^2 + k2^2) / 2), in 1/length.
     category : ndarray of float64, (V,)
-        The code of one of nine shapes, 0 to 8, in `curvlib.columns.CATEGORIES`: cup, trough, rut,
-        saddle rut, saddle, saddle ridge, ridge, dome, cap (Koenderink and van Doorn 1992). It is
-        4 (shape index + 1), rounded: cylinders and spheres lie amid a category and not, as with
-        signs of K and H, at the limit of two. NaN where the shape index is.
+        The code of one of ten shapes, in `curvlib.columns.CATEGORIES`: cup, trough, rut, saddle
+        rut, saddle, saddle ridge, ridge, dome, cap (Koenderink and van Doorn 1992), which is
+        4 (shape_index + 1), rounded: cylinders and spheres lie amid a category and not, as with
+        signs of K and H, at the limit of two; and flat, where curvedness times the diagonal of
+        the mesh's box is below 0.001.
     K_error, H_error : ndarray of float64, (V,), or None
         Standard errors of K and H; None where the estimator does not return them.
     returned : tuple of str
@@ -101,8 +105,11 @@ class Estimates:
 
     @property
     def category(self) -> np.ndarray:
-        """The code of the shape's category, (V,): 4 (shape_index + 1), rounded."""
-        return np.round(4 * (self.shape_index + 1))
+        """The code of the shape's category, (V,): 4 (shape_index + 1), rounded, or 9 for flat."""
+        unit, points = self.mesh.unit, self.mesh.vertices[self.mesh.faces].reshape(-1, 3)
+        diagonal = np.linalg.norm(np.ptp(points * unit, axis=0)) / unit if len(points) else 0.0
+        flat = self.curvedness * diagonal < FLAT
+        return np.where(flat, 9.0, np.round(4 * (self.shape_index + 1)))
 
     def bending_energy(self, c0: float = 0.0) -> np.ndarray:
         """Helfrich's bending energy per area, (2 H - c0)^2 / 2, in units of the bending rigidity.

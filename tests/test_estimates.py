@@ -123,12 +123,13 @@ def principal(k1, k2):
         (0, -1, "rut"),
         (-1, -2, "trough"),
         (-1, -1, "cup"),
-        (0, 0, None),
+        (0, 0, "flat"),
+        (1e-4, -1e-4, "flat"),
         (np.nan, np.nan, None),
     ],
 )
 def test_categories_of_the_shape_index(k1, k2, name):
-    """The shapes amid the nine categories; a plane has none."""
+    """The shapes amid the nine categories, and a plane."""
     code = principal(k1, k2).category
     if name is None:
         assert np.isnan(code).all()
