@@ -6,6 +6,7 @@ from pathlib import Path
 import click
 
 from .mending import mended
+from .options import options_of
 from .summary import document, regions, text
 from .terminal import (
     PATH,
@@ -22,6 +23,7 @@ from .terminal import (
 )
 
 SET = "An option of the estimator, as `curvlib list NAME` tells them; may be repeated."
+Y_UP = (".obj", ".glb", ".gltf")  # the latter two by definition
 # The quantities that the terminal shows, of an estimator that has them.
 SHOWN = ("K", "H", "k1", "k2", "K_error", "H_error")
 
@@ -91,6 +93,11 @@ def _quantities(context, parameter, begun):
 @click.option(
     "--picture", metavar="PNG", type=PATH, help="A picture of the first quantity, K by default."
 )
+@click.option(
+    "--up",
+    type=click.Choice(["x", "y", "z"]),
+    help="The axis that points up in a picture. Default: y of .obj, .glb and .gltf, else z.",
+)
 @json_option
 @threads_option
 def command(meshes, names, output, per, columns, by, picture, **options):
@@ -159,7 +166,7 @@ def _run(path, names, out, png, per, columns, by, options):
     told |= {"seconds": 0.0, "estimators": {}}
     every, first = {}, None
     for name in names or [RECOMMENDED[per]]:
-        given = _options(name, options)
+        given = options_of(name, options)
         start = time.perf_counter()
         with progress_of_work(name):
             found = curvlib.estimate(mesh, name, threads=options["threads"], per=per, **given)
@@ -190,7 +197,8 @@ def _run(path, names, out, png, per, columns, by, options):
         from curvlib.figures.values import picture
 
         column, values = first
-        picture(png, mesh, values, per, column)
+        up = options["up"] or ("y" if Path(path).suffix.lower() in Y_UP else "z")
+        picture(png, mesh, values, per, column, up)
     told["written"] = [where for where in (out, png) if where]
     if told["written"]:
         say(f"  written: {', '.join(told['written'])}")
@@ -216,34 +224,3 @@ def _numbers(columns, among=None):
         if x.ndim == 1 and not column.startswith("category")
     }
     return {column: x for column, x in found.items() if column in (among or found)} or found
-
-
-def _options(name, options):
-    """The options of an estimator from --rings, --radius and --set."""
-    from curvlib.errors import InputError, check_name
-    from curvlib.kit.options import Lengths
-    from curvlib.signatures import readings
-
-    texts = {}
-    for pair in options["chosen"]:
-        option, equals, value = pair.partition("=")
-        if not equals:
-            raise click.UsageError(f"--set {pair!r}: expected option=value")
-        texts[option.strip()] = value.strip()
-    for option in ("rings", "radius"):
-        if options[option] is not None:
-            texts[option] = str(options[option])
-    known, chosen = readings(name), {}
-    for option, words in texts.items():
-        check_name(f"option of {name}", option, known)
-        valid = known[option]
-        same = [value for value in valid if str(value) == words]
-        if isinstance(valid, Lengths) and not same:
-            try:
-                same = [float(words)]
-            except ValueError:
-                same = [words]
-        if not same and not valid[1:]:
-            raise InputError(f"{option} of {name}: has one value alone, {valid[0]}")
-        chosen[option] = same[0] if same else words
-    return chosen

@@ -24,9 +24,12 @@ FROM_ZERO_COLOURS = matplotlib.colormaps["viridis"]
 
 
 @in_style
-def picture(path, mesh, values, per: str, quantity: str) -> None:
+def picture(path, mesh, values, per: str, quantity: str, up: str = "z") -> None:
     """Write a picture of a quantity per vertex or face: colours symmetric about 0, or from 0 where
-    it is never negative; NaN grey, arrows at the ends of the scale for the values beyond."""
+    it is never negative; NaN grey, arrows at the ends of the scale for the values beyond.
+
+    `up`: the axis that points up.
+    """
     positive = quantity in FROM_ZERO
     map_ = FROM_ZERO_COLOURS if positive else COLOURS
     limit = quantiles(mesh, np.abs(values), per, (SHARE,))[0]
@@ -47,7 +50,7 @@ def picture(path, mesh, values, per: str, quantity: str) -> None:
         normals=sums[mesh.faces.reshape(-1)],
     )
     own = colours[mesh.faces.reshape(-1)] if per == "vertex" else np.repeat(colours, 3, axis=0)
-    image = renderer()(View(parts, SIZE).scene(own, ambient=AMBIENT))
+    image = renderer()(View(parts, SIZE, up).scene(own, ambient=AMBIENT))
     width, height = SIZE[0], SIZE[1] + BELOW
     figure = Figure(figsize=(width / DPI, height / DPI), dpi=DPI)
     axes = figure.add_axes((0, BELOW / height, 1, SIZE[1] / height))

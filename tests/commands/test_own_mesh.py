@@ -127,6 +127,26 @@ def test_a_picture(ball, run):
     assert len(np.unique(image.active_scalars, axis=0)) > 10
 
 
+# The low ends of the two scales.
+BLUE, VIOLET = (49, 54, 149), (68, 1, 84)
+
+
+def test_pictures_of_two_quantities_and_two_sides(ball, run):
+    """Other colours where a quantity is never negative; another view where another axis is up."""
+    ball.points[:, 2] *= 1.5
+    ball.save("egg.ply")
+    images = []
+    for arguments in (("--up", "z"), ("--up", "x"), ("--quantity", "curvedness")):
+        arguments = "estimate", "egg.ply", "-e", "meyer", "--picture", "a.png", *arguments
+        assert run(*arguments)[0] == 0
+        images.append(pyvista.read("a.png").active_scalars)
+    assert (images[0] != images[1]).any()
+    assert (images[0] != images[2]).any()
+    for image, low, other in ((images[0], BLUE, VIOLET), (images[2], VIOLET, BLUE)):
+        assert abs(image[:, :3].astype(int) - low).sum(1).min() < 6
+        assert abs(image[:, :3].astype(int) - other).sum(1).min() > 20
+
+
 def test_info_says_what_to_do(ball, run):
     inside = ball.faces.reshape(-1, 4)[:, :0:-1]
     pyvista.PolyData.from_regular_faces(ball.points, inside).save("inside.ply")
