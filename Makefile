@@ -11,7 +11,7 @@ ifneq ($(shell mkdir -p "$$HOME/.cache" 2>/dev/null && echo yes),yes)
 export XDG_CACHE_HOME ?= $(CURDIR)/.venv/cache
 endif
 
-.PHONY: study test peers test-peers lint lock clean
+.PHONY: study test peers test-peers fuzz lint lock clean
 
 study: .venv/ready
 	snakemake
@@ -23,6 +23,10 @@ peers: .venv/peers
 
 test-peers: .venv/peers
 	pytest tests/peers tests/dataset/test_readers.py
+
+# Thousands of meshes with faults at random, others at each run.
+fuzz: .venv/ready
+	CURVLIB_EXAMPLES=3000 pytest tests/estimators/test_fuzz.py
 
 lint: .venv/ready
 	ruff check .

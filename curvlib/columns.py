@@ -4,8 +4,23 @@ import numpy as np
 
 from .errors import InputError, check_name
 
-QUANTITIES = ("K", "H", "k1", "k2", "d1", "d2", "shape_index", "curvedness")
+EXACT = ("K", "H", "k1", "k2", "d1", "d2")  # a surface has them, too
+DERIVED = ("shape_index", "curvedness", "category", "bending_energy")
 ERRORS = ("K_error", "H_error")
+QUANTITIES = (*EXACT, *DERIVED, *ERRORS)
+# The categories of the shape index, code by code, and the last where the surface is flat.
+CATEGORIES = (
+    "cup",
+    "trough",
+    "rut",
+    "saddle rut",
+    "saddle",
+    "saddle ridge",
+    "ridge",
+    "dome",
+    "cap",
+    "flat",
+)
 # The names of pycurv's files (Salfer et al. 2020), per triangle.
 PYCURV = {
     "kappa_1": "k1",
@@ -20,12 +35,12 @@ PYCURV = {
 STYLES = ("curvlib", "pycurv")
 
 
-def columns(estimates, style: str = "curvlib") -> dict[str, np.ndarray]:
+def columns(estimates, style: str = "curvlib", c0: float = 0.0) -> dict[str, np.ndarray]:
     """Name -> values (n,) or (n, 3) of the quantities that an estimator returns, and of those that
     follow from them.
 
     `style`: "curvlib", or "pycurv" for its names, with the triangles' areas and unit normals;
-    InputError where that is asked of values at vertices.
+    InputError where that is asked of values at vertices. `c0`: of the bending energy.
     """
     check_name("columns", style, STYLES)
     if style == "pycurv":
@@ -38,8 +53,9 @@ def columns(estimates, style: str = "curvlib") -> dict[str, np.ndarray]:
         known = columns(estimates)
         return {name: known[ours] for name, ours in PYCURV.items() if ours in known} | added
     found = {}
-    for name in (*QUANTITIES, *ERRORS):
-        values = getattr(estimates, name, None)
+    for name in QUANTITIES:
+        bending = name == "bending_energy"
+        values = estimates.bending_energy(c0) if bending else getattr(estimates, name)
         if values is not None and (name in estimates.returned or np.isfinite(values).any()):
             found[name] = values
     return found

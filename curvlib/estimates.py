@@ -1,14 +1,13 @@
-"""The result of an estimate: the quantities at the vertices, and the causes of undefined ones."""
+"""The result of an estimate: the quantities at the vertices."""
 
-import warnings
 from functools import cached_property
 
 import numpy as np
 
-from .errors import MeshWarning
+from .causes import causes_at_triangles, causes_at_vertices
 
-# What estimators are given that need a disk or half-disk instead of a ring.
-DISKS = ("disk", "ball", "passes")
+# Curvedness times the size of a surface, below which it is flat: it bends by its 8000th part.
+FLAT = 1e-3
 
 
 class Estimates:
@@ -29,8 +28,14 @@ class Estimates:
         symmetric saddle; NaN where k1 = k2 = 0.
     curvedness : ndarray of float64, (V,)
         sqrt((k1^2 + k2^2) / 2), in 1/length.
+    category : ndarray of float64, (V,)
+        The code of one of ten shapes, in `curvlib.columns.CATEGORIES`: cup, trough, rut, saddle
+        rut, saddle, saddle ridge, ridge, dome, cap (Koenderink and van Doorn 1992), which is
+        4 (shape_index + 1), rounded: cylinders and spheres lie amid a category and not, as with
+        signs of K and H, at the limit of two; and flat, where curvedness times the diagonal of
+        the mesh's box is below 0.001.
     K_error, H_error : ndarray of float64, (V,), or None
-        Their standard errors; None where the estimator does not return them.
+        Standard errors of K and H; None where the estimator does not return them.
     choice : curvlib.kit.tensor.Choice or None
         What an estimator that chooses took at each vertex: `choice.calls[choice.index[v]]`.
     returned : tuple of str
@@ -54,6 +59,9 @@ class Estimates:
     >>> K, H = estimates
     """
 
+    K: np.ndarray
+    H: np.ndarray
+
     def __init__(
         self,
         mesh,
@@ -71,11 +79,11 @@ class Estimates:
         if index is not None and per == "vertex":
             found = {name: values[index] for name, values in found.items()}
             choice = choice and choice._replace(index=choice.index[index])
-        self.K_error, self.H_error = found.get("K_error"), found.get("H_error")
         self._found = {name: x for name, x in found.items() if not name.endswith("_error")}
         self.choice = choice
         count = len(mesh.vertices if per == "vertex" else mesh.faces)
         self.d1, self.d2 = found.get("d1"), found.get("d2")
+        self.K_error, self.H_error = found.get("K_error"), found.get("H_error")
         for name in ("K", "H"):
             values = found.get(name)
             setattr(self, name, np.full(count, np.nan) if values is None else values)
@@ -108,6 +116,53 @@ class Estimates:
         """sqrt((k1^2 + k2^2) / 2), (V,), in 1/length."""
         return np.hypot(*self._principal) / np.sqrt(2)
 
+    @property
+    def category(self) -> np.ndarray:
+        """The code of the shape's category, (V,): 4 (shape_index + 1), rounded, or 9 for flat."""
+        unit, points = self.mesh.unit, self.mesh.vertices[self.mesh.faces].reshape(-1, 3)
+        diagonal = np.linalg.norm(np.ptp(points * unit, axis=0)) / unit if len(points) else 0.0
+        flat = self.curvedness * diagonal < FLAT
+        return np.where(flat, 9.0, np.round(4 * (self.shape_index + 1)))
+
+    def bending_energy(self, c0: float = 0.0) -> np.ndarray:
+        """Helfrich's bending energy per area, (2 H - c0)^2 / 2, in units of the bending rigidity.
+
+        Parameters
+        ----------
+        c0 : float
+            Spontaneous curvature, in 1/length; positive as H is.
+
+        Returns
+        -------
+        ndarray of float64, (V,)
+            In 1/length^2. Source: Helfrich (1973), https://doi.org/10.1515/znc-1973-11-1209.
+        """
+        return (2 * self.H - c0) ** 2 / 2
+
+    def integral(self, values) -> float:
+        """The integral of a quantity over the area of the mesh where it is defined.
+
+        Parameters
+        ----------
+        values : ndarray of float64, (V,)
+
+        Returns
+        -------
+        float
+            NaN where no value is finite.
+
+        Examples
+        --------
+        >>> import curvlib
+        >>> mesh = curvlib.tessellate(curvlib.surface("sphere"), 32)
+        >>> estimates = curvlib.estimate(mesh, "quadric")
+        >>> round(estimates.integral(estimates.bending_energy()) / 3.1416)  # 8 pi
+        8
+        """
+        from .regions import integral
+
+        return integral(self.mesh, values, self.per)
+
     @cached_property
     def undefined(self) -> dict[str, int]:
         """Cause -> number of vertices that lack a value which the estimator returns elsewhere.
@@ -115,15 +170,17 @@ class Estimates:
         Where it returns no value at all, every vertex lacks one.
         """
         lacking = np.full(len(self.K), not self._found)
-        for values in self._found.values():
-            lacking |= np.isnan(values.reshape(len(lacking), -1)).any(1)
+        undirected = np.zeros_like(lacking)
+        for name, values in self._found.items():
+            if name in ("d1", "d2"):
+                undirected |= np.isnan(values).any(1)
+            else:
+                lacking |= np.isnan(values)
         if self.per == "face":
-            a, b, c = self._mesh.vertices[self._mesh.faces].transpose(1, 0, 2)
-            flat = ~(np.cross(b - a, c - a) != 0).any(1)
-            causes = {"triangle without area": (lacking & flat).sum()}
-            causes["no finite value"] = (lacking & ~flat).sum()
+            causes = causes_at_triangles(self._mesh, lacking)
         else:
-            causes = _causes(self._mesh, lacking, self._given, self._index)
+            causes = causes_at_vertices(self._mesh, lacking, self._given, self._index)
+        causes["umbilic, without d1 and d2"] = (undirected & ~lacking).sum()
         return {cause: int(n) for cause, n in causes.items() if n}
 
     @cached_property
@@ -182,82 +239,21 @@ class Estimates:
 
     def _repr_html_(self):
         """A table of quantiles over the area, for notebooks."""
-        from .columns import columns
-        from .regions import PROBABILITIES, quantiles
+        from .columns import CATEGORIES, columns
+        from .regions import PROBABILITIES, quantiles, shares
 
         heads = "".join(f"<th>{100 * p:.0f} %</th>" for p in PROBABILITIES)
         rows = [
             f"<tr><th>{name}</th>{''.join(f'<td>{x:.4g}</td>' for x in found)}</tr>"
             for name, values in columns(self).items()
-            if values.ndim == 1
+            if values.ndim == 1 and name != "category"
             for found in [quantiles(self.mesh, values, self.per)]
         ]
+        parts = zip(CATEGORIES, shares(self.mesh, self.category, len(CATEGORIES), self.per))
+        shapes = ", ".join(f"{name} {part:.0%}" for name, part in parts if part >= 0.005)
         lacking = ", ".join(f"{n} {cause}" for cause, n in self.undefined.items()) or "nowhere"
         return (
             f"<p>{repr(self)[1:-1]}; undefined: {lacking}</p>"
             f"<table><tr><th>over the area</th>{heads}</tr>{''.join(rows)}</table>"
+            f"<p>Shape by area: {shapes or 'undefined'}</p>"
         )
-
-
-def _stars(mesh, given):
-    """(V,) bool: an estimator is given the ring or disk of the vertex; its triangles close to one
-    ring."""
-    if given not in DISKS:
-        return mesh.closed, mesh.closed
-    from .meshes.neighbourhoods import BROKEN, CLOSED
-
-    stars = mesh.find_adjacency().stars
-    return stars != BROKEN, stars == CLOSED
-
-
-def _causes(mesh, lacking, given, index=None):
-    """Cause -> number of the vertices `lacking` (V,) bool a value; `index` as in Estimates."""
-    used = np.zeros(len(lacking), dtype=bool)
-    used[mesh.faces] = True
-    usable, boundary = _stars(mesh, given)[0], mesh.boundary
-    if index is not None:
-        used, usable, boundary = used[index], usable[index], boundary[index]
-    causes = {"no triangle": (lacking & ~used).sum()}
-    open_ = lacking & used & ~usable
-    if given in DISKS:
-        causes["triangles that form no disk or half-disk"] = open_.sum()
-    else:
-        causes["boundary"] = (open_ & boundary).sum()
-        causes["triangles that do not close to one ring"] = (open_ & ~boundary).sum()
-    return causes | {"no finite value": (lacking & usable).sum()}
-
-
-def joined(mesh, given):
-    """The mesh with points joined that stand at one place, and their index as `curvlib.weld`
-    returns it, None where there are none; warns where there are some.
-
-    `given`: what the estimator is given.
-    """
-    loose = mesh.vertices[~_stars(mesh, given)[1]]
-    if len(np.unique(loose, axis=0)) == len(loose):
-        return mesh, None
-    from .meshes.mend import weld
-
-    welded, index = weld(mesh)
-    count = np.count_nonzero(index != np.arange(len(index)))
-    if not count:
-        return mesh, None
-    _warn(f"{count} of {len(index)} vertices stand where another one does: joined to it")
-    return welded, index
-
-
-def warn_of_undefined(mesh, given: str, index=None) -> None:
-    """Warn if fewer than half of the vertices have a ring, or disk where that is `given`; `index`
-    as in Estimates."""
-    if given == "mesh":
-        return
-    usable = _stars(mesh, given)[0] if index is None else _stars(mesh, given)[0][index]
-    lacking = np.count_nonzero(~usable)
-    if 2 * lacking > len(usable):
-        causes = _causes(mesh, ~usable, given, index)
-        named = ", ".join(f"{n} {cause}" for cause, n in causes.items() if n)
-        _warn(f"{lacking} of {len(usable)} vertices have no value: {named}")
-
-
-def _warn(words):
-    warnings.warn(words, MeshWarning, stacklevel=4)

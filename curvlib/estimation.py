@@ -5,8 +5,9 @@ from numbers import Integral
 
 import numpy as np
 
+from .causes import joined, warn_of_undefined
 from .errors import InputError, check_name
-from .estimates import Estimates, joined, warn_of_undefined
+from .estimates import Estimates
 from .meshes.exchange import as_mesh
 from .passes import run
 from .signatures import Signature, resolved

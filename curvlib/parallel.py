@@ -2,14 +2,30 @@
 
 from collections import deque
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import suppress
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from itertools import pairwise
+
+_watch = ContextVar("watch", default=None)
+
+
+@contextmanager
+def watched(function):
+    """Within it, each `for_each` calls function(done, count) as its items are done, from any of its
+    threads."""
+    token = _watch.set(function)
+    try:
+        yield
+    finally:
+        _watch.reset(token)
 
 
 def for_each(function, items, threads: int = 1) -> list:
     """[function(item) for item in items], each item once; after an error no item is begun."""
-    count = len(items)
+    count, watch = len(items), _watch.get()
     threads = min(threads, count)
+    if watch:
+        function = _told(function, watch, count)
     if threads <= 1:
         return [function(item) for item in items]
     results = [None] * count
@@ -41,3 +57,15 @@ def _taken(shares):
         with suppress(IndexError):  # the share is empty
             while True:
                 yield share.popleft()
+
+
+def _told(function, watch, count):
+    done = []
+
+    def told(item):
+        result = function(item)
+        done.append(None)
+        watch(len(done), count)
+        return result
+
+    return told

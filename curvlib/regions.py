@@ -13,6 +13,24 @@ def quantiles(mesh, values, per: str = "vertex", probabilities=PROBABILITIES) ->
     return _quantiles(_at_corners(mesh, values, per), _areas(mesh), probabilities)
 
 
+def integral(mesh, values, per: str = "vertex") -> float:
+    """The integral of values `per` vertex, (V,), or face, (F,), over the area of a mesh where they
+    are finite; NaN where none is. A third of a triangle's area counts for each of its corners."""
+    x, areas = _at_corners(mesh, values, per), _areas(mesh)
+    known = np.isfinite(x)
+    return float((x[known] * areas[known]).sum()) if known.any() else np.nan
+
+
+def shares(mesh, codes, count: int, per: str = "vertex") -> np.ndarray:
+    """The shares (count,) of the area with each of the codes 0 to count - 1, of the area that has
+    one; NaN where none has."""
+    x, areas = _at_corners(mesh, codes, per), _areas(mesh)
+    known = np.isfinite(x)
+    sums = np.bincount(x[known].astype(int), areas[known], count)
+    with np.errstate(invalid="ignore"):
+        return sums / sums.sum()
+
+
 def by_region(mesh, labels, labelled: str, named: dict, per: str, names=None) -> list[dict]:
     """Statistics over the area of each region, for each scalar column.
 

@@ -2,6 +2,7 @@
 
 import ast
 import importlib
+import inspect
 import re
 import subprocess
 import sys
@@ -26,11 +27,20 @@ DOORS = {
     "peers": {"files", "kit"},
     "nurbs": {"errors", "kit", "meshes"},
     "surfaces": {"catalogue", "errors", "nurbs"},
-    "estimates": {"columns", "errors", "kit", "meshes", "regions"},
+    "causes": {"errors", "meshes"},
+    "estimates": {"causes", "columns", "kit", "meshes", "regions"},
     "signatures": {"catalogue", "errors", "kit"},
     "task": {"catalogue", "errors", "kit"},
     "passes": {"errors", "kit", "meshes", "parallel", "signatures"},
-    "estimation": {"errors", "estimates", "meshes", "passes", "signatures", "task"},
+    "estimation": {
+        "causes",
+        "errors",
+        "estimates",
+        "meshes",
+        "passes",
+        "signatures",
+        "task",
+    },
     "dataset": {"errors", "files", "meshes", "nurbs"},
     "comparison": {
         "catalogue",
@@ -69,6 +79,7 @@ DOORS = {
         "files",
         "kit",
         "meshes",
+        "parallel",
         "regions",
         "signatures",
     },
@@ -171,3 +182,22 @@ def test_text_is_utf_8_whatever_the_locale():
             if isinstance(node, ast.Call) and opens_text(node):
                 named = {keyword.arg for keyword in node.keywords}
                 assert "encoding" in named, f"{path}, line {node.lineno}"
+
+
+def test_type_checkers_see_the_public_names():
+    """The stub has those of __all__, and `estimate` with its own parameters."""
+    stub = ast.parse((PACKAGE / "__init__.pyi").read_text(encoding="utf-8"))
+    named, modules = set(), {}
+    for node in stub.body:
+        if isinstance(node, ast.FunctionDef):
+            named.add(node.name)
+        elif isinstance(node, ast.ImportFrom) and node.level:
+            named |= {alias.asname for alias in node.names}
+            modules |= {alias.asname: node.module for alias in node.names}
+    assert named == set(curvlib.__all__)
+    for name, module in modules.items():
+        assert getattr(curvlib, name) is getattr(importlib.import_module(f"curvlib.{module}"), name)
+    own = list(inspect.signature(curvlib.estimate).parameters)
+    for node in stub.body:
+        if isinstance(node, ast.FunctionDef) and node.name == "estimate":
+            assert [x.arg for x in (*node.args.args, node.args.kwarg)] == own

@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from curvlib.parallel import for_each
+from curvlib.parallel import for_each, watched
 
 
 @pytest.mark.parametrize("threads", [1, 2, 3, 8])
@@ -53,3 +53,15 @@ def test_an_error_of_any_kind_ends_it(error):
     with pytest.raises(error):
         for_each(work, range(1000), 2)
     assert len(begun) < 100
+
+
+@pytest.mark.parametrize("threads", [1, 3])
+def test_a_watch_is_told_of_each_item(threads):
+    told = []
+    with watched(lambda done, count: told.append((done, count))):
+        assert for_each(abs, [-1, -2, -3, -4], threads) == [1, 2, 3, 4]
+        assert for_each(abs, [], threads) == []
+    for_each(abs, [-1, -2], threads)
+    assert {count for _, count in told} == {4}
+    assert len(told) == 4
+    assert max(told) == (4, 4)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from curvlib import Mesh
-from curvlib.regions import by_region, quantiles
+from curvlib.regions import by_region, integral, quantiles, shares
 
 # Two triangles: areas 1/2 and 3/2.
 MESH = Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 3]], [[0, 1, 2], [0, 2, 3]])
@@ -52,3 +52,14 @@ def test_regions_of_triangles_and_of_vertices():
     # Region 0 has vertex 0 in both triangles, and vertex 1 in the first.
     assert rows[0]["area"] == pytest.approx(1 / 6 + 1 / 2 + 1 / 6)
     assert rows[0]["mean"] == pytest.approx((2 / 3 * 1 + 1 / 6 * 3) / (5 / 6))
+
+
+def test_integrals_and_shares():
+    K = np.array([1.0, 3.0, np.nan, 5.0])
+    # The corners of vertices 0 and 1 have a sixth of a unit of area in the first triangle.
+    assert integral(MESH, K) == pytest.approx(1 / 6 + 3 / 6 + 1 / 2 + 5 / 2)
+    assert integral(MESH, np.array([np.nan, 2.0]), "face") == pytest.approx(3)
+    assert np.isnan(integral(MESH, np.full(4, np.nan)))
+    codes = np.array([2.0, 0.0, np.nan, 2.0])
+    np.testing.assert_allclose(shares(MESH, codes, 4), [1 / 8, 0, 7 / 8, 0])
+    assert np.isnan(shares(MESH, np.full(4, np.nan), 2)).all()

@@ -2,11 +2,11 @@
 
 import click
 
-from .terminal import json_option, put_json
+from .terminal import PATH, json_option, put_json
 
 
-@click.command()
-@click.argument("mine", metavar="MINE.py")
+@click.command(short_help="Check that an estimator keeps what every one has to.")
+@click.argument("mine", metavar="MINE.py", type=PATH)
 @json_option
 def command(mine, as_json):
     """Check that an estimator keeps what every one has to: invariances, NaN where undefined.

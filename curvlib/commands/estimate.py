@@ -5,28 +5,44 @@ from pathlib import Path
 
 import click
 
+from .mending import mended
+from .options import options_of
+from .summary import document, regions, text
 from .terminal import (
-    csv_text,
+    PATH,
+    check_picture,
     json_option,
-    number,
+    names_of,
     progress,
+    progress_of_work,
     put_json,
-    table_text,
     threads_option,
     told_of_compiling,
     told_warnings,
     write_csv,
 )
 
+SET = "An option of the estimator, as `curvlib list NAME` tells them; may be repeated."
+Y_UP = (".obj", ".glb", ".gltf")  # the latter two by definition
+# The quantities that the terminal shows, of an estimator that has them.
+SHOWN = ("K", "H", "k1", "k2", "K_error", "H_error")
+
+
+def _quantities(context, parameter, begun):
+    from curvlib.columns import QUANTITIES
+
+    return [name for name in QUANTITIES if name.startswith(begun)]
+
 
 @click.command()
-@click.argument("meshes", nargs=-1, required=True, metavar="MESH...")
+@click.argument("meshes", nargs=-1, required=True, metavar="MESH...", type=PATH)
 @click.option(
     "-e",
     "--estimator",
     "names",
     multiple=True,
     metavar="NAME",
+    shell_complete=names_of("estimators", "peers"),
     help="A name of `curvlib list` or the path of a .py file; may be repeated. Without: the "
     "recommended one.",
 )
@@ -34,12 +50,29 @@ from .terminal import (
     "-o",
     "--output",
     metavar="OUT",
+    type=PATH,
     help=".vtp .vtk .vtkhdf .ply .csv .parquet .gii .curv; {stem} in it stands for the mesh's "
     "name, as in out/{stem}.vtp.",
 )
 @click.option("--rings", type=int, metavar="K", help="How many rings of neighbours.")
 @click.option("--radius", metavar="R", help='A length in the mesh\'s unit, or "5 edges".')
-@click.option("--set", "chosen", multiple=True, metavar="option=value", help="May be repeated.")
+@click.option("--set", "chosen", multiple=True, metavar="option=value", help=SET)
+@click.option(
+    "--quantity",
+    "quantities",
+    multiple=True,
+    metavar="NAME",
+    shell_complete=_quantities,
+    help="Of K H k1 k2 d1 d2 shape_index curvedness category bending_energy K_error H_error; may "
+    "be repeated. Default: all that there are.",
+)
+@click.option(
+    "--c0",
+    type=float,
+    default=0.0,
+    metavar="C0",
+    help="Spontaneous curvature of the bending energy (2 H - C0)^2 / 2. Default: 0.",
+)
 @click.option("--per", type=click.Choice(["vertex", "face"]), help="Default: vertex.")
 @click.option(
     "--columns",
@@ -50,15 +83,24 @@ from .terminal import (
 @click.option(
     "--by",
     metavar="LABEL",
-    help="Statistics over the area by region, as CSV: to OUT if it is a .csv, else to the "
-    "terminal. LABEL: data of the mesh's file, or a .label.gii or .annot file.",
+    type=PATH,
+    help="Statistics over the area by region: to OUT if it is a .csv, with percentiles and "
+    "histograms, else to the terminal. LABEL: data of the mesh's file, or a .label.gii or .annot "
+    "file.",
 )
 @click.option("--weld", is_flag=True, help="Join points at one place in what is written, too.")
 @click.option("--orient", is_flag=True, help="Turn triangles to agree, and outward if closed.")
-@click.option("--picture", metavar="PNG", help="A picture of K, or of H where there is no K.")
+@click.option(
+    "--picture", metavar="PNG", type=PATH, help="A picture of the first quantity, K by default."
+)
+@click.option(
+    "--up",
+    type=click.Choice(["x", "y", "z"]),
+    help="The axis that points up in a picture. Default: y of .obj, .glb and .gltf, else z.",
+)
 @json_option
 @threads_option
-def command(meshes, names, output, per, columns, by, picture, as_json, **options):
+def command(meshes, names, output, per, columns, by, picture, **options):
     """Estimate curvature at the vertices of meshes.
 
     K and H are pointwise, H > 0 where the surface bends away from its normal; NaN is undefined.
@@ -68,189 +110,118 @@ def command(meshes, names, output, per, columns, by, picture, as_json, **options
     told = []
     for mesh, out, png in progress(list(zip(meshes, *outputs)), lambda item: item[0]):
         with told_warnings() as warnings, told_of_compiling():
-            document = _run(mesh, list(names), out, png, per, columns, by, as_json, options)
-        told.append(document | {"warnings": warnings})
-    if as_json:
+            found = _run(mesh, names, out, png, per, columns, by, options)
+        told.append(found | {"warnings": warnings})
+    if options["as_json"]:
         put_json(told if len(told) > 1 else told[0])
 
 
 def _outputs(meshes, pattern, per):
     """The path that is written for each mesh, None without a pattern; all are checked before any
     estimate. `per` is None for a picture."""
+    if pattern is None:
+        return [None] * len(meshes)
     from curvlib.errors import InputError
     from curvlib.meshes.writing import check_output
 
-    if pattern is None:
-        return [None] * len(meshes)
     paths = [pattern.replace("{stem}", Path(mesh).stem) for mesh in meshes]
     if len(set(paths)) < len(paths):
         raise InputError(
             f"{pattern!r} would be written for more than one mesh; name it with {{stem}}, such as "
             f"{{stem}}{Path(pattern).suffix}, and meshes of different names"
         )
-    for path in paths:
+    for mesh, path in zip(meshes, paths):
+        if Path(path).resolve() == Path(mesh).resolve():
+            raise InputError(f"{path!r}: would be written over the mesh itself; name another file")
         if per is not None:
             check_output(path, per)
-        elif Path(path).suffix != ".png":
-            raise InputError(f"{path!r}: a picture is a .png file")
+        else:
+            check_picture(path)
     return paths
 
 
-def _run(path, names, out, png, per, columns, by, as_json, options):
+def _run(path, names, out, png, per, columns, by, options):
     """Read, mend, estimate and write one mesh; return what --json tells of it."""
-    import numpy as np
-
     import curvlib
     from curvlib.columns import columns as named
     from curvlib.estimation import BECAUSE, recommended
     from curvlib.meshes.labels import read_labels
-    from curvlib.meshes.writing import write
-    from curvlib.regions import PROBABILITIES, by_region, quantiles
+    from curvlib.regions import by_region
 
     if not Path(path).exists() and path in curvlib.estimators():
         raise curvlib.InputError(f"{path!r} is an estimator, not a mesh: write -e {path}")
-    say = (lambda words: None) if as_json else print
+    say = (lambda words: None) if options["as_json"] else print
     mesh = curvlib.read(path)
     say(f"{path}: {len(mesh.vertices)} vertices, {len(mesh.faces)} triangles")
     if not names:
         names = [recommended(per, options["chosen"] or options["rings"] or options["radius"])]
         say(f"  estimator {names[0]}: {BECAUSE[names[0]]}")
-    labels, labelled, regions = read_labels(by, path, mesh) if by else (None, None, {})
-    document = {"mesh": path, "vertices": len(mesh.vertices), "triangles": len(mesh.faces)}
-    mesh, kept, mended = _mended(mesh, options["weld"], options["orient"])
-    document |= mended
-    for what, count in mended.items():
+    labels, labelled, names_of_labels = read_labels(by, path, mesh) if by else (None, None, {})
+    told = {"mesh": path, "vertices": len(mesh.vertices), "triangles": len(mesh.faces)}
+    mesh, kept, counts = mended(mesh, options["weld"], options["orient"])
+    told |= counts
+    for what, count in counts.items():
         say(f"  {count} {what}")
     if labelled == "vertex":
         labels = labels[kept]
-    start = time.perf_counter()
-    given = {name: _options(name, options) for name in names}
-    found = {
-        name: curvlib.estimate(mesh, name, threads=options["threads"], per=per, **given[name])
-        for name in names
-    }
-    seconds = time.perf_counter() - start
-    document |= {"seconds": seconds, "estimators": {}}
-    all_columns = {}
-    for name, estimates in found.items():
-        own = named(estimates, columns)
+    told |= {"seconds": 0.0, "estimators": {}}
+    every, first = {}, None
+    for name in names:
+        given = options_of(name, options)
+        start = time.perf_counter()
+        with progress_of_work(name):
+            found = curvlib.estimate(mesh, name, threads=options["threads"], per=per, **given)
+        told["seconds"] += time.perf_counter() - start
+        own = _chosen(name, named(found, columns, options["c0"]), options["quantities"])
+        first = first or next(iter(_numbers(own).items()), None)
+        shown = _numbers(own) if options["quantities"] else _numbers(own, SHOWN)
+        told["estimators"][name] = document(found, shown, given, options["c0"])
+        say(text(name, told["estimators"][name]))
         stem = Path(name).stem if name.endswith(".py") else name
-        all_columns |= {k if len(found) == 1 else f"{k}_{stem}": v for k, v in own.items()}
-        spread = {
-            quantity: quantiles(mesh, getattr(estimates, quantity), per)
-            for quantity in ("K", "H", "k1", "k2")
-        }
-        document["estimators"][name] = {
-            "options": given[name],
-            "undefined": estimates.undefined,
-            "choice": _taken(estimates),
-            "quantiles": {
-                quantity: dict(zip(map(str, PROBABILITIES), values))
-                for quantity, values in spread.items()
-            },
-        }
-        _summary(say, name, given[name], estimates, spread, PROBABILITIES)
-    say(f"  {seconds:.2f} s")
-    table = None
+        every |= own if len(names) < 2 else {f"{column}_{stem}": x for column, x in own.items()}
+    say(f"  {told['seconds']:.2f} s")
+    table = by_region(mesh, labels, labelled, _numbers(every), per, names_of_labels) if by else None
     if by:
-        table = by_region(mesh, labels, labelled, all_columns, per, regions)
-        document["regions"] = table
-    if table and out and Path(out).suffix == ".csv":
+        told["regions"] = table
+    of_regions = bool(by and out and Path(out).suffix == ".csv")
+    if of_regions:
         write_csv(out, table)
     elif out:
-        write(out, mesh, all_columns, per)
-    if table and not (out and Path(out).suffix == ".csv") and not as_json:
-        print(csv_text(table), end="")
+        from curvlib.meshes.writing import write
+
+        write(out, mesh, every, per)
+    if by and not of_regions:
+        say(regions(table))
+    if png and not first:
+        raise curvlib.InputError(f"{png!r}: no quantity is a number that colours can show")
     if png:
         from curvlib.figures.values import picture
 
-        first = next(iter(found.values()))
-        quantity = "K" if np.isfinite(first.K).any() else "H"
-        picture(png, mesh, getattr(first, quantity), per, quantity)
-    written = [where for where in (out, png) if where]
-    document["written"] = written
-    if written:
-        say(f"  written: {', '.join(written)}")
+        column, values = first
+        up = options["up"] or ("y" if Path(path).suffix.lower() in Y_UP else "z")
+        picture(png, mesh, values, per, column, up)
+    told["written"] = [where for where in (out, png) if where]
+    if told["written"]:
+        say(f"  written: {', '.join(told['written'])}")
     else:
-        say(f"next: curvlib estimate {path} -o {Path(path).stem}.vtp, for ParaView")
-    return document
+        say("next: the same with -o values.vtp, for ParaView, or --picture values.png")
+    return told
 
 
-def _mended(mesh, weld, orient):
-    """The mesh welded and turned as asked; which of its vertices it keeps; counts by words."""
-    import numpy as np
+def _chosen(name, columns, quantities):
+    """The columns that are asked for, all if none is; InputError for one that is not there."""
+    from curvlib.errors import check_name
 
-    import curvlib
-
-    kept, mended = np.arange(len(mesh.vertices)), {}
-    if orient:
-        # A soup has edges once all points at one place are one; welding would leave apart what
-        # does not agree.
-        _, first, place = np.unique(mesh.vertices, axis=0, return_index=True, return_inverse=True)
-        joined = curvlib.Mesh(mesh.vertices, first[place.reshape(-1)][mesh.faces], copy=False)
-        _, turned = curvlib.orient(joined)
-        faces = np.where(turned[:, None], mesh.faces[:, ::-1], mesh.faces)
-        mesh = curvlib.Mesh(mesh.vertices, faces, normals=mesh.normals)
-        mended["triangles turned over"] = int(turned.sum())
-    if weld:
-        welded, index = curvlib.weld(mesh)
-        kept, new = np.unique(index, return_inverse=True)
-        normals = None if welded.normals is None else welded.normals[kept]
-        mesh = curvlib.Mesh(mesh.vertices[kept], new.reshape(-1)[mesh.faces], normals=normals)
-        mended["vertices joined to others"] = len(index) - len(kept)
-    return mesh, kept, mended
+    for quantity in quantities:
+        check_name(f"quantity of {name}", quantity, columns)
+    return {quantity: columns[quantity] for quantity in quantities or columns}
 
 
-def _options(name, options):
-    """The options of an estimator from --rings, --radius and --set."""
-    from curvlib.errors import InputError, check_name
-    from curvlib.kit.options import Lengths
-    from curvlib.signatures import readings
-
-    texts = {}
-    for text in options["chosen"]:
-        option, equals, value = text.partition("=")
-        if not equals:
-            raise click.UsageError(f"--set {text!r}: expected option=value")
-        texts[option.strip()] = value.strip()
-    for option in ("rings", "radius"):
-        if options[option] is not None:
-            texts[option] = str(options[option])
-    known, chosen = readings(name), {}
-    for option, text in texts.items():
-        check_name(f"option of {name}", option, known)
-        valid = known[option]
-        same = [value for value in valid if str(value) == text]
-        if isinstance(valid, Lengths) and not same:
-            try:
-                same = [float(text)]
-            except ValueError:
-                same = [text]
-        if not same and not valid[1:]:
-            raise InputError(f"{option} of {name}: has one value alone, {valid[0]}")
-        chosen[option] = same[0] if same else text
-    return chosen
-
-
-def _summary(say, name, options, estimates, spread, probabilities):
-    """Print the quantiles over the area, and what is undefined by cause."""
-    words = ", ".join(f"{option}={value}" for option, value in options.items())
-    say(f"{name}{f'({words})' if words else ''}, quantiles over the area:")
-    heads = ("", *(f"{100 * p:.0f} %" for p in probabilities))
-    rows = [(f"  {quantity}", *map(number, values)) for quantity, values in spread.items()]
-    say(table_text(heads, rows))
-    for call, part in _taken(estimates).items():
-        say(f"  {100 * part:.3g} % by {call}")
-    undefined = ", ".join(f"{n} {cause}" for cause, n in estimates.undefined.items())
-    say(f"  undefined: {undefined or 'nowhere'}")
-
-
-def _taken(estimates):
-    """What an estimator that chooses took: call -> part of the vertices, the most first."""
-    import numpy as np
-
-    if estimates.choice is None:
-        return {}
-    calls, index = estimates.choice
-    parts = np.bincount(index, minlength=len(calls)) / len(index)
-    return {calls[k]: float(parts[k]) for k in np.argsort(-parts, kind="stable") if parts[k]}
+def _numbers(columns, among=None):
+    """The columns of numbers that are no codes, of those `among` them if any is."""
+    found = {
+        column: x
+        for column, x in columns.items()
+        if x.ndim == 1 and not column.startswith("category")
+    }
+    return {column: x for column, x in found.items() if column in (among or found)} or found

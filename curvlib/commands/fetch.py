@@ -4,18 +4,19 @@ import click
 
 from curvlib import __version__
 
-from .terminal import json_option, put_json
+from .terminal import PATH, json_option, put_json
 
 ARCHIVE = f"results/dataset/curvature-library-{__version__}.zip"
 
 
 @click.command()
-@click.argument("source", default=ARCHIVE, metavar="[URL or path]")
+@click.argument("source", default=ARCHIVE, metavar="[URL or path]", type=PATH)
 @click.option(
     "-o",
     "--output",
     default=".",
     metavar="FOLDER",
+    type=click.Path(file_okay=False),
     help="Where to unpack; made if it does not exist. Default: here.",
 )
 @json_option

@@ -1,34 +1,56 @@
 """`curvlib list`: the estimators, or one in full."""
 
 import ast
+from shutil import get_terminal_size
+from textwrap import fill
 
 import click
 
-from .terminal import json_option, put_json, table_text
+from .terminal import json_option, names_of, put_json, table_text
+
+INDENT = {"initial_indent": "  ", "subsequent_indent": " " * 27}
 
 
-@click.command()
-@click.argument("name", required=False)
+@click.command(short_help="List estimators, peers and surfaces, or tell all of one.")
+@click.argument("name", required=False, shell_complete=names_of("estimators", "peers", "surfaces"))
 @json_option
 def command(name, as_json):
-    """List estimators, peers and surfaces, or tell all of one estimator."""
-    from curvlib.catalogue import estimators, peers, surfaces
+    """List estimators, peers and surfaces, or tell all of one of them.
 
+    NAME may be the path of a .py file with an estimator.
+    """
+    from curvlib.catalogue import estimators, peers, surfaces
+    from curvlib.errors import check_name
+
+    rooms = {"estimators": estimators, "peers": peers, "surfaces": surfaces}
     if name is None:
-        rooms = {"estimators": estimators, "peers": peers, "surfaces": surfaces}
         told = {
-            room: {each: _head(catalogue, each) for each in catalogue.names()}
+            room: {
+                each: " ".join(_docstring(catalogue, each).partition("\n\n")[0].split())
+                for each in catalogue.names()
+            }
             for room, catalogue in rooms.items()
         }
         if as_json:
             put_json(told)
             return
+        width = max(60, min(120, get_terminal_size().columns))
         for room, those in told.items():
             print(f"{room}:")
             for each, words in those.items():
-                print(f"  {each:<24} {words}")
+                print(fill(f"{each:<24} {words}", width, **INDENT))
         print("next: curvlib list NAME, or curvlib estimate MESH -e NAME")
         return
+    if name in surfaces.names():
+        words = _docstring(surfaces, name)
+        if as_json:
+            put_json({"name": name, "description": words})
+        else:
+            print(f"{words}\n\nnext: curvlib mesh {name} -n 32 -o {name}.vtp")
+        return
+    if not estimators.holds(name):
+        every = [each for catalogue in rooms.values() for each in catalogue.names()]
+        check_name("estimator, peer or surface", name, every)
     from inspect import getdoc
 
     from curvlib.signatures import Signature, resolved
@@ -52,7 +74,7 @@ def command(name, as_json):
     print(f"\nnext: curvlib estimate MESH -e {name}")
 
 
-def _head(catalogue, name):
-    """The first line of a file's docstring; the file is not imported, since that takes long."""
+def _docstring(catalogue, name):
+    """The docstring of a file, which is not imported, since that takes long."""
     text = catalogue.path(name).read_text(encoding="utf-8")
-    return (ast.get_docstring(ast.parse(text)) or "").partition("\n")[0]
+    return ast.get_docstring(ast.parse(text)) or ""

@@ -26,14 +26,19 @@ class Verbs(click.Group):
         return None
 
 
-@click.command(cls=Verbs, context_settings={"help_option_names": ["-h", "--help"]})
+HELP = """\b
+Exit codes: 0 done; 1 an error, told in one line; 2 wrong usage; 130 interrupted.
+Completion of names, options and files, by a line in
+  ~/.bashrc:                   eval "$(_CURVLIB_COMPLETE=bash_source curvlib)"
+  ~/.zshrc:                    eval "$(_CURVLIB_COMPLETE=zsh_source curvlib)"
+  ~/.config/fish/config.fish:  _CURVLIB_COMPLETE=fish_source curvlib | source
+"""
+
+
+@click.command(epilog=HELP, cls=Verbs, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, message="curvlib %(version)s")
 def curvlib():
-    """Curvature on triangle meshes.
-
-    Begin with `curvlib info MESH`. Completion in a shell: eval "$(_CURVLIB_COMPLETE=bash_source
-    curvlib)", or zsh_source, fish_source.
-    """
+    """Curvature on triangle meshes. Begin with `curvlib info MESH`."""
 
 
 def main(arguments=None) -> int:

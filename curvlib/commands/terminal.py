@@ -1,7 +1,6 @@
 """What the verbs share: errors and exit codes, JSON, warnings, progress, tables of text."""
 
 import csv
-import io
 import json
 import math
 import sys
@@ -13,10 +12,27 @@ import click
 
 PATIENCE = 1.0  # seconds before progress is shown
 
+PATH = click.Path()  # of a file, which shells complete
 json_option = click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
 threads_option = click.option(
-    "--threads", type=click.IntRange(1), default=1, show_default=True, help="Number of threads."
+    "--threads",
+    type=click.IntRange(1),
+    default=1,
+    metavar="N",
+    help="Number of threads. Default: 1.",
 )
+
+
+def names_of(*rooms):
+    """A completion of names in catalogues: "estimators", "peers" or "surfaces"."""
+
+    def complete(context, parameter, begun):
+        from curvlib import catalogue
+
+        names = [name for room in rooms for name in getattr(catalogue, room).names()]
+        return [name for name in names if name.startswith(begun)]
+
+    return complete
 
 
 def put_json(document) -> None:
@@ -58,16 +74,43 @@ def told_warnings():
 
 def progress(items, words):
     """Yield the items; after a second `words(item)` and their number are shown on a terminal."""
-    items, start, shown = list(items), time.monotonic(), False
+    items, line = list(items), Line()
     for number, item in enumerate(items):
-        if sys.stderr.isatty() and time.monotonic() - start > PATIENCE:
-            shown = True
-            bar = "#" * (20 * number // len(items))
-            line = f"[{bar:<20}] {number}/{len(items)} {words(item)}"
-            print(f"\r\x1b[K{line}", end="", file=sys.stderr, flush=True)
+        line.show(number, len(items), f"{number}/{len(items)} {words(item)}")
         yield item
-    if shown:
-        print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+    line.clear()
+
+
+@contextmanager
+def progress_of_work(words):
+    """Show on a terminal, after a second, how much of the vertices each pass has done."""
+    from curvlib.parallel import watched
+
+    line = Line()
+    with watched(lambda done, count: line.show(done, count, f"{done / count:4.0%} {words}")):
+        yield
+    line.clear()
+
+
+class Line:
+    """A line of progress on stderr, where that is a terminal, after PATIENCE seconds."""
+
+    def __init__(self):
+        self._due = time.monotonic() + PATIENCE if sys.stderr.isatty() else math.inf
+        self._shown = False
+
+    def show(self, done, count, words):
+        """Show it again, ten times a second at most."""
+        now = time.monotonic()
+        if now >= self._due and (self._shown or done < count):
+            self._due, self._shown = now + 0.1, True
+            bar = "#" * (20 * done // count)
+            print(f"\r\x1b[K[{bar:<20}] {words}", end="", file=sys.stderr, flush=True)
+
+    def clear(self):
+        """Leave an empty line, if it was shown."""
+        if self._shown:
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 
 
 @contextmanager
@@ -93,6 +136,14 @@ def told_of_compiling():
         yield
 
 
+def check_picture(path) -> None:
+    """Raise InputError where a path, or None for no picture, is no .png file."""
+    from curvlib.errors import InputError
+
+    if path is not None and not path.endswith(".png"):
+        raise InputError(f"{path!r}: a picture is a .png file")
+
+
 def number(value) -> str:
     """Four significant digits; "-" for NaN."""
     return "-" if value != value else f"{value:.4g}"
@@ -109,18 +160,11 @@ def table_text(head, rows) -> str:
     return "\n".join(lines)
 
 
-def csv_text(rows: list[dict]) -> str:
-    """CSV of rows with the same keys."""
-    text = io.StringIO()
-    writer = csv.DictWriter(text, rows[0], lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return text.getvalue()
-
-
 def write_csv(path, rows: list[dict]) -> None:
-    """Write `csv_text`, whole or not at all."""
+    """Write CSV of rows with the same keys, whole or not at all."""
     from curvlib.files import whole_file
 
-    with whole_file(path) as part:
-        part.write_text(csv_text(rows), encoding="utf-8")
+    with whole_file(path) as part, open(part, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)

@@ -12,6 +12,7 @@ from curvlib.kit import lanes
 from curvlib.kit.compiled import kernel
 from curvlib.kit.fit import CUTOFF
 from curvlib.kit.options import Geodesic
+from curvlib.kit.ring import ROUNDING
 from curvlib.kit.tensor import from_form
 from curvlib.kit.vectors import cross, divide, dot, norm, tangents
 
@@ -59,14 +60,14 @@ def voted(disk, facets, radius: Geodesic = "5 edges"):
     tuple of 4 floats
         The normal is NaN where there are no votes, or where they prefer none.
     """
-    e, rows = disk.e, disk.rows
+    e, rows, shortest = disk.e, disk.rows, (ROUNDING * disk.radius) ** 2
     for k in range(len(disk.weights)):
         x, y, z = e[0, k], e[1, k], e[2, k]
         a, b, c = facets[0, 1 + k], facets[1, 1 + k], facets[2, 1 + k]
         turn = 2 * (a * x + b * y + c * z) / (x * x + y * y + z * z)
         w = facets[3, 1 + k] * _decay(disk.distances[k] / radius)
-        # Neither padding nor a neighbour without a normal.
-        votes = turn == turn
+        # Neither padding nor a neighbour without a normal, or at a distance of rounding.
+        votes = (turn == turn) & (x * x + y * y + z * z > shortest)
         a, b, c = (a if votes else 0.0), (b if votes else 0.0), (c if votes else 0.0)
         w, turn = (w if votes else 0.0), (turn if votes else 0.0)
         a, b, c = a - turn * x, b - turn * y, c - turn * z
@@ -150,7 +151,7 @@ def estimate(
     t1, t2 = tangents(N)
     lanes.project(rows, X, E, t1)
     lanes.project(rows, Y, E, t2)
-    by_area = weights == "area"
+    by_area, shortest = weights == "area", (ROUNDING * disk.radius) ** 2
     for k in range(len(disk.weights)):
         x, y = rows[X, k], rows[Y, k]
         a, b, c = voted[0, 1 + k], voted[1, 1 + k], voted[2, 1 + k]
@@ -163,8 +164,9 @@ def estimate(
         # 2 sin(phi / 2) with its sign, without an angle and without cancellation.
         kappa = out * np.sqrt(2 * inverse / (length * (length + up) * square))
         w = _decay(disk.distances[k] / radius) * (voted[3, 1 + k] if by_area else 1.0)
-        # Neither padding nor a neighbour without a normal, or a direction, or an angle phi < pi.
-        votes = flat > STEEP * square and kappa - kappa == 0
+        # Neither padding nor a neighbour without a normal, or a direction, or an angle phi < pi, or
+        # at a distance of rounding.
+        votes = (flat > STEEP * square) & (kappa - kappa == 0) & (square > shortest)
         w, kappa = (w if votes else 0.0), (kappa if votes else 0.0)
         inverse = inverse if votes else 0.0
         rows[W, k], rows[WK, k] = w, w * kappa

@@ -40,7 +40,8 @@ class Scene(NamedTuple):
 
 
 def renderer():
-    """The function that draws a Scene, (height, width, 3) uint8; its name is printed to stderr.
+    """The function that draws a Scene, (height, width, 3) uint8; its name is printed to stderr
+    where it is not VTK by itself.
 
     Without OpenGL, VTK ends the process, so that a child process probes it first. Raises InputError
     for an unknown name in the environment variable.
@@ -49,9 +50,10 @@ def renderer():
         check_name("renderer", chosen, RENDERERS, CHOICE)
         name, reason = chosen, f"{CHOICE} says so"
     else:
-        trouble = _trouble()
-        name = "matplotlib" if trouble else "vtk"
-        reason = trouble or "its probe worked"
+        reason = _trouble()
+        if not reason:
+            return RENDERERS["vtk"]
+        name = "matplotlib"
     print(f"renderer: {name}, since {reason}", file=sys.stderr)
     return RENDERERS[name]
 

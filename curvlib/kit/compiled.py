@@ -23,6 +23,7 @@ from pathlib import Path
 import numba
 from numba.core import caching, codegen, compiler, config, sigutils, types, typing
 from numba.core.compiler_lock import global_compiler_lock
+from numba.core.runtime import rtsys
 
 PACKAGE = Path(__file__).parents[1]
 UNUSED = 30 * 24 * 3600  # seconds after which code of another state of the package is removed
@@ -177,7 +178,11 @@ class _Kept(caching.FunctionCache):
     def load_overload(self, sig, target_context):
         _mark_as_used(_folder())
         try:
-            found = super().load_overload(sig, target_context)
+            # Numba would import all that it compiles with, which takes as long as Numba itself:
+            # it does so, too, when it compiles.
+            rtsys.initialize(target_context)
+            with self._guard_against_spurious_io_errors():
+                found = self._load_overload(sig, target_context)
         except Exception:  # a file that was cut short may unpickle into any error
             with suppress(OSError):
                 self.flush()

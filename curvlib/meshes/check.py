@@ -9,12 +9,9 @@ from curvlib.kit.ring import FLAT, ROUNDING
 from .mend import Edges, orient, weld
 from .mesh import Mesh
 from .neighbourhoods import BROKEN
+from .roughness import noise, staircase
 
 SLIVER = 1.0  # degrees: a triangle with a smaller angle
-# Coordinates on a lattice whose step is at least this part of the mean edge make a staircase.
-STAIRCASE = 0.25
-# Coordinates with fewer values than this part of the vertices lie on a lattice.
-FEW = 0.5
 
 Fault = namedtuple("Fault", "name count of where remedy")
 Fault.__doc__ = """One kind of fault.
@@ -34,7 +31,8 @@ remedy : str
 
 Report = namedtuple(
     "Report",
-    "vertices triangles components closed genus boundaries low high edges volume area step faults",
+    "vertices triangles components closed genus boundaries low high edges volume area noise "
+    "staircase faults",
 )
 Report.__doc__ = """What `check` finds.
 
@@ -57,8 +55,11 @@ volume : float
     open one.
 area : float
     In the square of the unit.
-step : float
-    The step of a lattice on which all coordinates lie, in mean edges; 0 without a lattice.
+noise : float
+    The standard deviation of vertices from smooth pieces of surface, in mean edges: that of noise,
+    or detail that the edges do not resolve; NaN where there are too few closed rings to tell.
+staircase : bool
+    The edges are steps of a lattice, as those of voxels.
 faults : list of Fault
 """
 
@@ -106,6 +107,7 @@ def check(mesh: Mesh) -> Report:
     origin = points[0]
     volume = ((corners[:, 0] - origin) * facets).sum() / 6 if closed else np.nan
     quantiles = np.quantile(lengths, np.linspace(0, 1, 5)) if len(lengths) else np.full(5, np.nan)
+    rough = noise(mesh)
     area = np.sqrt((facets * facets).sum(1)).sum() / 2
     return Report(
         vertices=len(mesh.vertices),
@@ -119,7 +121,8 @@ def check(mesh: Mesh) -> Report:
         edges=quantiles / unit,
         volume=float(volume) / unit / unit / unit,
         area=float(area) / unit / unit,
-        step=_step(points, lengths),
+        noise=rough,
+        staircase=staircase(ends[:, 1] - ends[:, 0], rough),
         faults=[
             fault
             for fault in _faults(mesh, edges, uses, used, stars, corners, facets)
@@ -238,21 +241,3 @@ def _labels(pairs, count):
     return connected_components(
         coo_matrix((np.ones(len(a), bool), (a, b)), (count, count)), directed=False
     )[1]
-
-
-def _step(points, lengths):
-    """The step of the lattice on which all coordinates lie, in mean edges; 0 without one."""
-    steps = []
-    for x in points.T:
-        values = np.unique(x)
-        if len(values) > max(FEW * len(points), 2):
-            return 0.0
-        gaps = np.diff(values)
-        if not len(gaps):
-            continue
-        step = gaps.min()
-        multiples = (values - values[0]) / step
-        if np.abs(multiples - np.round(multiples)).max() > 1e-3:
-            return 0.0
-        steps.append(step)
-    return float(min(steps) / lengths.mean()) if steps and len(lengths) else 0.0

@@ -30,7 +30,12 @@ def as_mesh(obj) -> Mesh:
     if isinstance(obj, Mesh):
         return obj
     vertices, faces, normals = _arrays(obj)
-    mesh = Mesh(vertices, faces, copy=False, normals=normals)
+    try:
+        mesh = Mesh(vertices, faces, copy=False, normals=normals)
+    except InputError as error:
+        if isinstance(obj, (str, PathLike)):
+            raise InputError(f"{str(obj)!r}: {error}") from None
+        raise
     _warn_of_coarse_coordinates(np.asarray(vertices), mesh)
     return mesh
 
@@ -41,14 +46,14 @@ def read(path) -> Mesh:
     Parameters
     ----------
     path : str or path
-        PLY, OBJ, STL, OFF, glTF, GLB, 3MF (read by trimesh), VTK, VTP, VTU, VTKHDF, MSH (by
+        PLY, OBJ, STL, OFF; glTF, GLB, 3MF (read by trimesh), VTK, VTP, VTU, VTKHDF, MSH (by
         pyvista), GIFTI or FreeSurfer (by nibabel).
 
     Returns
     -------
     Mesh
-        Vertices in the order in which the library reads them; faces of more corners are divided
-        into triangles, lines and points left out; `normals` where the file has some.
+        Vertices in the order of the file, three for each triangle of STL; faces of more corners
+        are divided into triangles, lines and points left out; `normals` where the file has some.
 
     Raises
     ------

@@ -45,7 +45,7 @@ def read_labels(label: str, path, mesh):
             if not (whole == labels).all():
                 raise InputError(f"{where}: labels are integers; there are others")
             return whole, per, names
-    counts = ", ".join(f"{len(x)} per {per}" for per, x in choices.items())
+    counts = " and ".join(str(len(labels)) for labels in choices.values())
     raise InputError(
         f"{where}: {counts} labels, but the mesh has {len(mesh.vertices)} vertices and "
         f"{len(mesh.faces)} triangles"
@@ -60,7 +60,8 @@ def _from_file(path):
 
         if Path(path).suffix == ".annot":
             labels, _, names = nibabel.freesurfer.read_annot(path)
-            return labels, {k: name.decode("utf-8", "replace") for k, name in enumerate(names)}
+            told = {k: name.decode("utf-8", "replace") for k, name in enumerate(names)}
+            return labels, told | {-1: "unlabelled"}
         image = nibabel.load(path)
         return np.asarray(image.darrays[0].data).reshape(-1), image.labeltable.get_labels_as_dict()
     except ImportError:
@@ -82,12 +83,14 @@ def _of_mesh(label, path):
             data = pyvista.read(path)
     except ImportError:
         raise InputError("reading labels needs pyvista: install curvlib[files]") from None
-    except Exception as error:
-        words = " ".join(str(error).split()) or type(error).__name__
-        raise InputError(f"{str(path)!r}: pyvista cannot read its data: {words}") from None
+    except Exception:
+        data = pyvista.PolyData()
     names = [*data.point_data.keys(), *data.cell_data.keys()]
     if not names:
-        raise InputError(f"{str(path)!r}: there are no point or cell data in it")
+        raise InputError(
+            f"{label!r}: pyvista finds no point or cell data in {str(path)!r}; name a label file, "
+            ".gii or .annot"
+        )
     check_name("point or cell data", label, names, str(path))
     places = {"vertex": data.point_data, "face": data.cell_data}
     return {per: np.asarray(place[label]) for per, place in places.items() if label in place}

@@ -7,6 +7,8 @@ import numpy as np
 
 from curvlib.errors import InputError, check_name
 
+from .arrays import any_array, frozen, numbers
+
 # Exact values that a mesh can carry, with the shape behind V.
 FIELDS = {
     "uv": (2,),
@@ -62,9 +64,20 @@ class Mesh:
     array([ True,  True,  True])
     """
 
+    uv: np.ndarray | None
+    normals: np.ndarray | None
+    K: np.ndarray | None
+    H: np.ndarray | None
+    k1: np.ndarray | None
+    k2: np.ndarray | None
+    d1: np.ndarray | None
+    d2: np.ndarray | None
+    smooth: np.ndarray | None
+    pole: np.ndarray | None
+
     def __init__(self, vertices, faces, copy: bool = True, **fields):
-        self._vertices = _frozen(_numbers("vertices", vertices, float, copy))
-        self._faces = _frozen(_numbers("faces", faces, np.intp, copy))
+        self._vertices = frozen(numbers("vertices", vertices, float, copy))
+        self._faces = frozen(numbers("faces", faces, np.intp, copy))
         self._rings = self._adjacency = None
         for name, array in (("vertices", self.vertices), ("faces", self.faces)):
             if array.ndim != 2 or array.shape[1] != 3:
@@ -92,7 +105,7 @@ class Mesh:
     def __setstate__(self, state):
         # Pickle forgets that arrays are read only; compiled code is kept for those that are.
         for name, value in state.items():
-            vars(self)[name] = _frozen(value) if isinstance(value, np.ndarray) else value
+            vars(self)[name] = frozen(value) if isinstance(value, np.ndarray) else value
 
     @property
     def vertices(self) -> np.ndarray:
@@ -199,40 +212,16 @@ class Mesh:
         return closed
 
 
-def _frozen(array):
-    """A read-only view: the caller's own array stays writeable."""
-    view = array.view()
-    view.flags.writeable = False
-    return view
-
-
-def _array(name, value):
-    try:
-        return np.asarray(value)
-    except (TypeError, ValueError) as error:
-        raise InputError(f"{name}: not an array of numbers ({error})") from None
-
-
-def _numbers(name, value, kind, copy):
-    """A C-contiguous array of float or int; InputError where there is none of it."""
-    array = _array(name, value)
-    allowed = "iuf" if kind is float else "iu"
-    if array.size and array.dtype.kind not in allowed:
-        words = "numbers" if kind is float else "integers"
-        raise InputError(f"{name}: an array of {words} is expected, not {array.dtype}")
-    return np.array(array, dtype=kind, order="C", copy=True if copy else None)
-
-
 def _field(name, value, shape, copy):
     """A field of a mesh, checked and read only; None where `value` is None."""
     if value is None:
         return None
     if name in FLAGS:
-        array = _array(name, value)
+        array = any_array(name, value)
         if array.dtype != bool:
             raise InputError(f"{name}: an array of bool is expected, not {array.dtype}")
     else:
-        array = _numbers(name, value, float, copy)
+        array = numbers(name, value, float, copy)
     if array.shape != shape:
         raise InputError(f"{name}: shape {array.shape}, expected {shape}")
     if name == "normals":
@@ -242,4 +231,4 @@ def _field(name, value, shape, copy):
             with np.errstate(invalid="ignore", divide="ignore"):
                 scaled = array / np.sqrt(squares)[:, None]
             array = np.where(other[:, None], scaled, array)
-    return _frozen(array)
+    return frozen(array)

@@ -10,6 +10,7 @@ import pyvista
 import trimesh
 
 import curvlib
+from curvlib.meshes.torus import torus
 
 
 def test_estimate_of_a_soup_has_values_at_the_files_points(ball, run):
@@ -112,6 +113,8 @@ def test_statistics_by_region(ball, run):
         assert list(H.region) == [0, 1]
         assert abs(H["mean"] - 0.5).max() < 0.06
         assert abs(H.area.sum() - ball.area) < 1e-6 * ball.area
+    out = run("estimate", "ball.vtp", "--by", "a.label.gii", "--quantity", "H")[1]
+    assert out.count("0 low") == out.count("1 high") == 1
     status, _, err = run("estimate", "ball.vtp", "--by", "hal")
     assert (status, err.count("\n")) == (1, 1)
     assert "did you mean 'half'" in err
@@ -125,6 +128,26 @@ def test_a_picture(ball, run):
     assert len(np.unique(image.active_scalars, axis=0)) > 10
 
 
+# The low ends of the two scales.
+BLUE, VIOLET = (49, 54, 149), (68, 1, 84)
+
+
+def test_pictures_of_two_quantities_and_two_sides(ball, run):
+    """Other colours where a quantity is never negative; another view where another axis is up."""
+    ball.points[:, 2] *= 1.5
+    ball.save("egg.ply")
+    images = []
+    for arguments in (("--up", "z"), ("--up", "x"), ("--quantity", "curvedness")):
+        arguments = "estimate", "egg.ply", "-e", "meyer", "--picture", "a.png", *arguments
+        assert run(*arguments)[0] == 0
+        images.append(pyvista.read("a.png").active_scalars)
+    assert (images[0] != images[1]).any()
+    assert (images[0] != images[2]).any()
+    for image, low, other in ((images[0], BLUE, VIOLET), (images[2], VIOLET, BLUE)):
+        assert abs(image[:, :3].astype(int) - low).sum(1).min() < 6
+        assert abs(image[:, :3].astype(int) - other).sum(1).min() > 20
+
+
 def test_info_says_what_to_do(ball, run):
     inside = ball.faces.reshape(-1, 4)[:, :0:-1]
     pyvista.PolyData.from_regular_faces(ball.points, inside).save("inside.ply")
@@ -132,7 +155,7 @@ def test_info_says_what_to_do(ball, run):
     assert status == 0
     assert "162 vertices, 320 triangles" in out
     assert "closed, genus 0" in out
-    assert "1 closed components that face inward" in out
+    assert "closed components that face inward: 1 (0)" in out
     assert "curvlib estimate inside.ply --orient -o values.vtp" in out
     assert "nothing found" in run("info", "ball.ply")[1]
 
@@ -156,9 +179,81 @@ def test_a_file_of_ones_own(tmp_path, monkeypatch, run):
     assert "2 of 12 checks failed" in out
     status, out, _ = run("check", "meyer", "--json")
     assert (status, json.loads(out)["failed"]) == (0, 0)
+
+
+def test_compare(tmp_path, monkeypatch, run):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.py").write_text(MINE, encoding="utf-8")
     arguments = ["compare", "mine.py", "--against", "meyer", "-n", 8, "-n", 12, "--seeds", 1]
     status, out, _ = run(*arguments, "-o", "all.csv", "--json")
     assert status == 0
-    rows = json.loads(out)["rows"]
-    assert {(row["best"], row["rank"], row["of"]) for row in rows} >= {("meyer", 2, 2)}
-    assert set(pandas.read_csv("all.csv").estimator) == {"mine", "meyer"}
+    told = json.loads(out)
+    assert {(row["best"], row["rank"], row["of"]) for row in told["rows"]} >= {("meyer", 2, 2)}
+    assert told["ratios"]["meyer"]["K"] == 1
+    first = pandas.read_csv("all.csv")
+    assert set(first.estimator) == {"mine", "meyer"}
+    status, out, _ = run(*arguments, "--seed", told["seed"], "-o", "b.csv", "--picture", "b.png")
+    assert f"--seed {told['seed']} makes the same" in out
+    assert "1. meyer" in out
+    assert "2. mine" in out
+    pandas.testing.assert_frame_equal(pandas.read_csv("b.csv"), first)
+    assert pyvista.read("b.png").dimensions[0] > 500
+    run(*arguments, "-o", "c.csv")
+    assert not pandas.read_csv("c.csv").value.equals(first.value)
+
+
+def test_quantities_are_chosen(ball, run):
+    arguments = "estimate", "ball.ply", "-e", "meyer", "-o", "a.csv", "--c0", 1
+    chosen = "--quantity", "bending_energy", "--quantity", "category"
+    status, out, _ = run(*arguments, *chosen)
+    assert status == 0
+    table = pandas.read_csv("a.csv")
+    assert list(table) == ["x", "y", "z", "bending_energy", "category"]
+    assert table.bending_energy.max() < 1e-3  # H is 1/2 everywhere
+    assert (table.category == 8).all()
+    assert "(2 H - 1)^2 / 2" in out
+    assert "shape by area: cap 100%" in out
+    told = json.loads(run("estimate", "ball.ply", "-e", "meyer", "--json")[1])["estimators"][
+        "meyer"
+    ]
+    assert abs(told["bending_energy"] / (8 * np.pi) - 1) < 0.03
+    assert abs(told["integral_of_K"] / (4 * np.pi) - 1) < 0.03
+    assert told["categories"]["cap"] == 1
+    status, _, err = run(*arguments, "--quantity", "shape-index")
+    assert status == 1
+    assert "did you mean 'shape_index'" in err
+    status, _, err = run("estimate", "ball.ply", "--quantity", "category", "--picture", "a.png")
+    assert status == 1
+    assert "no quantity is a number" in err
+
+
+def test_labels_that_do_not_fit(ball, run):
+    colours = np.array([[1, 2, 3, 0]])
+    nibabel.freesurfer.write_annot("lh.a.annot", np.zeros(7, int), colours, ["low"])
+    nibabel.freesurfer.write_geometry("lh.white", ball.points, ball.regular_faces)
+    for by, words in (
+        ("lh.a.annot", "7 labels, but the mesh has 162 vertices and 320 triangles"),
+        ("none.annot", "no such file"),
+        ("region", "finds no point or cell data in 'lh.white'; name a label file"),
+    ):
+        status, _, err = run("estimate", "lh.white", "--by", by)
+        assert (status, err.count("\n")) == (1, 1)
+        assert words in err
+
+
+def test_info_tells_noise_and_staircase(ball, run):
+    vertices, faces = torus(40, "irregular")
+    moves = np.random.default_rng(0).normal(size=vertices.shape)
+    pyvista.PolyData.from_regular_faces(vertices + 0.01 * moves, faces).save("noisy.vtp")
+    told = json.loads(run("info", "noisy.vtp", "--json")[1])
+    assert 0.02 < told["noise"] < 0.2
+    assert not told["staircase"]
+    assert told["advice"] == "curvlib estimate noisy.vtp -o values.vtp"
+    assert "on noise, fits or balls that average it" in run("info", "noisy.vtp")[1]
+    grid = pyvista.ImageData(dimensions=(21, 21, 21), origin=(-10, -10, -10))
+    inside = (np.linalg.norm(grid.points, axis=1) <= 8).astype(float)
+    grid.contour([1.0], inside, method="marching_cubes").save("voxels.vtp")
+    _, out, _ = run("info", "voxels.vtp")
+    assert "a staircase: the edges are steps of a lattice" in out
+    assert "normals averaged over balls that do not see its steps" in out
+    assert "curvlib estimate ball.ply -o values.vtp" in run("info", "ball.ply")[1]

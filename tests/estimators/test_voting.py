@@ -4,6 +4,7 @@ from typing import Literal
 
 import numpy as np
 import pytest
+import pyvista
 import voting
 from scipy.spatial import ConvexHull
 from test_fits import graph, wavy
@@ -194,3 +195,21 @@ def test_any_number_of_threads_gives_the_same_bytes(monkeypatch, per):
         again = curvlib.estimate(mesh, "tensor_voting", per=per, threads=threads)
         np.testing.assert_array_equal(again.k1, alone.k1)
         np.testing.assert_array_equal(again.d1, alone.d1)
+
+
+def test_neighbours_at_a_distance_of_rounding_have_no_vote():
+    """On the unit sphere, a triangle divided at a point that is its corner but for rounding."""
+    sphere = pyvista.Sphere(theta_resolution=24, phi_resolution=12)
+    vertices, faces = np.array(sphere.points, float), sphere.regular_faces
+    vertices /= np.linalg.norm(vertices, axis=1)[:, None]
+    a, b, c = faces[100]
+    beside = vertices[a] + [2e-16, 1e-16, 2e-16]
+    count = len(vertices)
+    keep = [f for f in faces.tolist() if set(f) != {a, b, c}]
+    parts = [[count, b, c], [a, count, c], [a, b, count]]
+    mesh = np.vstack((vertices, beside)), np.array(keep + parts)
+    found = curvlib.estimate(mesh, "tensor_voting", radius=1.0)
+    near = curvlib.estimate((vertices, faces), "tensor_voting", radius=1.0)
+    good = np.isfinite(found.H[:count])
+    assert good.sum() >= count - 4
+    np.testing.assert_allclose(found.H[:count][good], near.H[good], atol=0.2)

@@ -19,7 +19,7 @@ def test_a_torus():
     assert (report.vertices, report.triangles, report.components) == (144, 288, 1)
     assert (report.closed, report.genus, report.boundaries) == (True, 1, 0)
     assert report.faults == []
-    assert report.step == 0
+    assert not report.staircase
     ends = np.unique(np.sort(np.vstack((faces[:, :2], faces[:, 1:], faces[:, [2, 0]])), 1), axis=0)
     lengths = np.linalg.norm(vertices[ends[:, 0]] - vertices[ends[:, 1]], axis=1)
     np.testing.assert_allclose(report.edges, np.quantile(lengths, np.arange(5) / 4))
@@ -39,7 +39,7 @@ def test_a_torus_of_any_size(scale):
     other = check(curvlib.Mesh(vertices * scale, faces[:, ::-1]))
     assert [(f.name, f.count) for f in one.faults] == [(f.name, f.count) for f in other.faults]
     assert [f.name for f in other.faults] == ["closed components that face inward"]
-    assert (other.genus, other.boundaries, other.step) == (1, 0, 0)
+    assert (other.genus, other.boundaries, other.noise) == (1, 0, one.noise)
     np.testing.assert_array_equal(other.edges, one.edges * scale)
     np.testing.assert_array_equal(other.low, one.low * scale)
 
@@ -107,19 +107,6 @@ def test_each_fault_and_where():
     thin[a] = 0.995 * flat[a] + 0.005 * vertices[a]
     assert 100 in faults(thin, faces)["triangles with an angle below 1 degree"].where
     assert "triangles without area" not in faults(thin, faces)
-
-
-def test_the_step_of_a_lattice():
-    grid = pyvista.ImageData(dimensions=(21, 21, 21), origin=(-10, -10, -10))
-    inside = (np.linalg.norm(grid.points, axis=1) <= 8).astype(float)
-    mesh = grid.contour([1.0], inside, method="marching_cubes")
-    step = check(curvlib.Mesh(mesh.points, mesh.regular_faces)).step
-    assert 0.5 < step < 1
-    vertices, faces = torus(40, "irregular")
-    rounded = np.round(vertices, 2)
-    found = check(curvlib.Mesh(rounded, faces)).step
-    mean = curvlib.Mesh(rounded, faces).mean_edge
-    assert found == pytest.approx(0.01 / mean, rel=0.3)
 
 
 def test_without_triangles_or_vertices():

@@ -8,7 +8,7 @@ import pyvista
 import trimesh
 
 import curvlib
-from curvlib.columns import columns
+from curvlib.columns import DERIVED, columns
 from curvlib.meshes.writing import WRITERS, write
 
 
@@ -31,7 +31,7 @@ def test_what_pyvista_reads(estimates, named, suffix, tmp_path):
     np.testing.assert_allclose(data.points, estimates.mesh.vertices, atol=1e-6)
     np.testing.assert_array_equal(data.regular_faces, estimates.mesh.faces)
     if suffix != ".ply":
-        assert set(named) == {"K", "H", "k1", "k2", "d1", "d2", "shape_index", "curvedness"}
+        assert set(named) == {"K", "H", "k1", "k2", "d1", "d2", *DERIVED}
         for name, values in named.items():
             np.testing.assert_array_equal(data.point_data[name], values)
 
