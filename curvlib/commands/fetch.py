@@ -16,7 +16,7 @@ ARCHIVE = f"results/dataset/curvature-library-{__version__}.zip"
     "--output",
     default=".",
     metavar="FOLDER",
-    type=click.Path(file_okay=False),
+    type=click.Path(),
     help="Where to unpack; made if it does not exist. Default: here.",
 )
 @json_option
