@@ -7,7 +7,7 @@ import numpy as np
 from curvlib.kit.compiled import kernel
 from curvlib.kit.displaced import displaced, placed, suspects
 from curvlib.kit.options import Length
-from curvlib.kit.scales import RINGS, means, nearest, quartic, ratios, sextic
+from curvlib.kit.scales import RINGS, forms, means, nearest, ratios
 from curvlib.kit.tensor import Assessed, Choice, Curvatures
 
 from . import ball_regression, compact_hermite, jet
@@ -157,10 +157,9 @@ def _chosen(passes, sample):
     """The fits that are taken, and which of them at each vertex of the sample."""
     if not len(sample):
         return [THROUGH], None
-    points, found = passes.vertices[sample], passes.field(sextic, sample)
-    forms = found[1:].reshape(-1, 3, len(sample))
-    three, four = (forms[:2, 0] + forms[:2, 2]) / 2
-    noise = ratios(found[0] - three, four - three, nearest(points, points, NEAR))
+    points, (through, of_six) = passes.vertices[sample], _forms(passes, sample, 6)
+    three, four = (of_six[:2, 0] + of_six[:2, 2]) / 2
+    noise = ratios(through - three, four - three, nearest(points, points, NEAR))
     beside = nearest(points, points, BESIDE)
     exact, quiet = (
         # Those beside it, too: one of them may be where noise begins.
@@ -170,7 +169,7 @@ def _chosen(passes, sample):
     if exact.all():
         return [COMPACT], None
     rest = np.flatnonzero(~exact | (exact.mean() < FEW))
-    fits, index = _least(passes, sample[rest], forms[..., rest], quiet[rest])
+    fits, index = _least(passes, sample[rest], of_six[..., rest], quiet[rest])
     taken, chosen = np.unique(index, return_inverse=True)
     if len(rest) == len(sample):
         return [fits[k] for k in taken], chosen
@@ -179,13 +178,20 @@ def _chosen(passes, sample):
     return [*(fits[k] for k in taken), COMPACT], every
 
 
-def _least(passes, sample, forms, quiet):
-    """Fits, and which of them has the least risk at each vertex of a sample; `forms` are those of
+def _forms(passes, sample, degree):
+    """What `forms` returns at a sample: (m,) and, for each scale of a degree, (3, m)."""
+    scales = RINGS[degree]
+    through, *found = passes.field(forms, sample, degree=degree, rings=scales[-1])
+    return through, np.reshape(found[: 3 * len(scales)], (-1, 3, len(sample)))
+
+
+def _least(passes, sample, of_six, quiet):
+    """Fits, and which of them has the least risk at each vertex of a sample; `of_six` are forms of
     degree 6 there, `quiet` where noise does not rule."""
     points, fits, risks = passes.vertices[sample], [], []
     near = nearest(points, points, NEAR)
-    of_four = passes.field(quartic, sample).reshape(-1, 3, len(sample))
-    for degree, each in ((6, forms), (4, of_four)):
+    _, of_four = _forms(passes, sample, 4)
+    for degree, each in ((6, of_six), (4, of_four)):
         scales = RINGS[degree]
         for j in range(len(scales) - 1):
             options = {"degree": degree, "rings": scales[j], "fit": "approximation"}
@@ -193,7 +199,10 @@ def _least(passes, sample, forms, quiet):
             change = np.array((1, 2, 1)) @ (each[j + 1] - each[j]) ** 2
             over = scales[j] * np.log(scales[j + 1] / scales[j]) ** 2
             risks.append(RISK[degree] / over * means(change, near, OUTLIERS))
-    for radius, change in _balls(passes, sample[::FEWER], nearest(points, points[::FEWER], NEAR)):
+    # Where noise rules nowhere, balls are not compared.
+    few = sample[::FEWER]
+    balls = () if quiet.all() else _balls(passes, few, nearest(points, points[::FEWER], NEAR))
+    for radius, change in balls:
         fits.append(Fit(ball_regression.estimate, {"radius": f"{radius} edges"}))
         risks.append(RISK_BALL * change)
     risks = np.array(risks)

@@ -105,8 +105,9 @@ class _Parts:
     def get_call_template(self, args, kws):
         """As `Dispatcher.get_call_template`."""
         pysig, args = self.jit._compiler.fold_argument_types(args, kws)
-        # Once for all integers, not for each constant.
-        args = tuple(types.unliteral(x) if isinstance(x, types.IntegerLiteral) else x for x in args)
+        # Once for all numbers, not for each constant.
+        constants = types.IntegerLiteral, types.BooleanLiteral
+        args = tuple(types.unliteral(x) if isinstance(x, constants) else x for x in args)
         self._compile(args)
         signatures = [code.signature for code, _ in self.overloads.values()]
         name = self.jit.py_func.__name__

@@ -7,6 +7,7 @@ import numpy as np
 
 from .compiled import kernel
 from .disk import SPACE
+from .fit import CUTOFF
 from .parts import part
 from .polynomial import fit_polynomial
 from .tensor import from_graph
@@ -14,33 +15,43 @@ from .vectors import at, tangents
 
 # By degree.
 RINGS = {4: (3, 4, 5, 6, 8, 10, 13), 6: (3, 4, 5, 6, 8)}
-OF_FOUR, OF_SIX = RINGS[4], RINGS[6]
+MOST = max(map(len, RINGS.values()))
+OVER = np.array([[*RINGS[degree], *[0] * MOST][:MOST] for degree in (4, 6)])
 FORMS = SPACE - 24  # place in Disk.space, behind what `fit_polynomial` needs
 
 
 @kernel
-def sextic(disk, rings: Literal[8] = 8):
-    """Half of f_xx + f_yy of a polynomial of degree 6 through the vertex, over three rings with
-    weights exp(-(hop / 3)^2); and f_xx, f_xy and f_yy of polynomials with a constant over each of
-    RINGS[6] of a `disk`, of which `rings` is the last. NaN where there are not so many."""
+def forms(disk, degree: Literal[6, 4] = 6, rings: Literal[8, 13] = 8):
+    """f_xx, f_xy and f_yy of polynomials with a constant over each of RINGS[degree] of a `disk`, of
+    which `rings` is the last; NaN where there are not so many, and behind the last. Before them,
+    for degree 6, half of f_xx + f_yy of a polynomial through the vertex, over three rings with
+    weights exp(-(hop / 3)^2)."""
     X, Y, N = _frame(disk)
-    f = part(disk.space, FORMS, (3, len(OF_SIX)))
-    _set_forms(disk, X, Y, N, 6, OF_SIX, f)
-    for i in range(disk.count):
-        hop = disk.hops[i]
-        disk.weights[i] = np.exp(-((hop / 3) ** 2)) if hop <= 3 else 0.0
-    d, _ = fit_polynomial(disk, X, Y, N, 1, 6)
-    return ((d[2] + d[4]) / 2, *at(f, 0), *at(f, 1), *at(f, 2), *at(f, 3), *at(f, 4))
-
-
-@kernel
-def quartic(disk, rings: Literal[13] = 13):
-    """f_xx, f_xy and f_yy of polynomials of degree 4 over each of RINGS[4] of a `disk`;
-    `rings` is the last. NaN where there are not so many."""
-    X, Y, N = _frame(disk)
-    f = part(disk.space, FORMS, (3, len(OF_FOUR)))
-    _set_forms(disk, X, Y, N, 4, OF_FOUR, f)
-    return (*at(f, 0), *at(f, 1), *at(f, 2), *at(f, 3), *at(f, 4), *at(f, 5), *at(f, 6))
+    found = part(disk.space, FORMS, (3, MOST))
+    through = np.nan
+    for j in range(MOST + 1):
+        there = reach = 0
+        if j < MOST:
+            reach = OVER[degree // 2 - 2, j]
+            # The same neighbours again would look like a fit that stands still.
+            there = reach > 0 and disk.hops[disk.count - 1] >= reach
+            for i in range(disk.count):
+                disk.weights[i] = 1.0 if disk.hops[i] <= reach else 0.0
+        elif degree == 6:
+            there = True
+            for i in range(disk.count):
+                hop = disk.hops[i]
+                disk.weights[i] = np.exp(-((hop / 3) ** 2)) if hop <= 3 else 0.0
+        if there:
+            d, _ = fit_polynomial(disk, X, Y, N, 1 if j == MOST else 0, degree, CUTOFF)
+            if j == MOST:
+                through = (d[2] + d[4]) / 2
+            else:
+                found[0, j], found[1, j], found[2, j] = d[2], d[3], d[4]
+        elif j < MOST:
+            found[0, j], found[1, j], found[2, j] = np.nan, np.nan, np.nan
+    f = found
+    return (through, *at(f, 0), *at(f, 1), *at(f, 2), *at(f, 3), *at(f, 4), *at(f, 5), *at(f, 6))
 
 
 @kernel
@@ -48,29 +59,11 @@ def _frame(disk):
     """The normal of a polynomial of degree 2 over two rings, with tangents."""
     N = disk.normal
     X, Y = tangents(N)
-    _within(disk, 2)
-    derivatives, _ = fit_polynomial(disk, X, Y, N, 0, 2)
+    for i in range(disk.count):
+        disk.weights[i] = 1.0 if disk.hops[i] <= 2 else 0.0
+    derivatives, _ = fit_polynomial(disk, X, Y, N, 0, 2, CUTOFF)
     _, N = from_graph(*derivatives, X, Y, N)
     return (*tangents(N), N)
-
-
-@kernel
-def _set_forms(disk, X, Y, N, degree, scales, forms):
-    """Set forms (3, n) to f_xx, f_xy and f_yy of polynomials over so many rings of a disk."""
-    for j in range(len(scales)):
-        _within(disk, scales[j])
-        derivatives, _ = fit_polynomial(disk, X, Y, N, 0, degree)
-        # The same neighbours again would look like a fit that stands still.
-        there = 1.0 if disk.hops[disk.count - 1] >= scales[j] else np.nan
-        for k in range(3):
-            forms[k, j] = there * derivatives[2 + k]
-
-
-@kernel
-def _within(disk, rings):
-    """Set the weights of a disk to 1 within some rings, else to 0."""
-    for i in range(disk.count):
-        disk.weights[i] = 1.0 if disk.hops[i] <= rings else 0.0
 
 
 def nearest(points, sample, count):

@@ -127,7 +127,8 @@ def stored(function, alone, find, make):
 
     def loop(reach, start, end, memory, options, own, offsets, neighbours, near, far):
         at, others, constants = 0, 0, 0
-        for v in range(start, end):
+        for place in range(start, end):
+            v = reach.at[place]  # of one type with those of other loops: compiled once
             if reach.stars[v] != BROKEN:
                 count = find(reach, memory, v)
                 if count < 0:
@@ -151,7 +152,7 @@ def stored(function, alone, find, make):
             else:
                 for c in range(own.shape[1]):
                     own[v, c] = np.nan
-            offsets[v - start + 1] = at
+            offsets[place - start + 1] = at
         return at, others, constants
 
     return kernel(loop)

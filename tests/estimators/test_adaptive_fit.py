@@ -9,7 +9,7 @@ from test_ball_regression import voxel_sphere
 import curvlib
 from curvlib.comparison.adaptive import fixed
 from curvlib.estimators import ball_regression, compact_hermite, jet
-from curvlib.kit.scales import sextic
+from curvlib.kit.scales import forms
 from curvlib.meshes.jittered import jittered
 from curvlib.passes import Passes
 
@@ -40,7 +40,7 @@ def test_values_at_some_vertices_are_those_at_all(function, options):
 
 def test_a_field_at_some_vertices():
     passes, some = Passes(jittered("patch", 20, 1), 1), np.array([5, 200])
-    np.testing.assert_array_equal(passes.field(sextic, some), passes.field(sextic)[:, some])
+    np.testing.assert_array_equal(passes.field(forms, some), passes.field(forms)[:, some])
 
 
 def test_a_field_that_is_solved_is_that_of_the_whole_mesh():
