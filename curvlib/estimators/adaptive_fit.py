@@ -26,6 +26,8 @@ SAMPLE, NEAR, OUTLIERS = 800, 64, 0.05
 # Balls are compared on one of so many.
 FEWER = 4
 RADII = 1.5, 2, 2.8, 4, 5.6, 8, 11, 16  # in mean edges
+# The change of H from three rings to four, in the median and over H, up to which a mesh is fine.
+SETTLED = 0.1
 # Vertices in a ball: that of 16 edges has 930 of a mesh whose edges are equal.
 CROWDED = 2048
 # The square of the error over the change where that is least; for polynomials times the rings.
@@ -199,10 +201,12 @@ def _least(passes, sample, of_six, quiet):
             change = np.array((1, 2, 1)) @ (each[j + 1] - each[j]) ** 2
             over = scales[j] * np.log(scales[j + 1] / scales[j]) ** 2
             risks.append(RISK[degree] / over * means(change, near, OUTLIERS))
-    # Where noise rules nowhere, balls are not compared.
-    few = sample[::FEWER]
-    balls = () if quiet.all() else _balls(passes, few, nearest(points, points[::FEWER], NEAR))
-    for radius, change in balls:
+    few, (three, four) = sample[::FEWER], of_six[:2, 0] + of_six[:2, 2]
+    alike = ratios(four - three, three, np.arange(len(sample))[None])[-1] < SETTLED
+    # Balls have the least errors in noise, and on meshes that are coarse for their surface.
+    balls = not (quiet.all() and alike)
+    near = nearest(points, points[::FEWER], NEAR)
+    for radius, change in _balls(passes, few, near) if balls else ():
         fits.append(Fit(ball_regression.estimate, {"radius": f"{radius} edges"}))
         risks.append(RISK_BALL * change)
     risks = np.array(risks)
