@@ -176,7 +176,7 @@ def test_loops_are_kept_for_the_next_process(tmp_path):
         command = [sys.executable, "-c", KEPT, str(path)]
         done = subprocess.run(
             command,
-            env=os.environ | {"XDG_CACHE_HOME": str(tmp_path)},
+            env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)},
             capture_output=True,
             check=True,
         )

@@ -17,6 +17,7 @@ from curvlib.kit.compiled import compiled
 from curvlib.meshes.torus import torus
 
 PACKAGE = Path(curvlib.__file__).parent
+PLACES = "NUMBA_CACHE_DIR", "XDG_CACHE_HOME", "HOME"
 
 
 @compiled
@@ -69,7 +70,7 @@ def run(tmp_path):
 
     def run(estimator, package=PACKAGE, limit=None, **environment):
         given = os.environ | {
-            "XDG_CACHE_HOME": str(tmp_path / "cache"),
+            "NUMBA_CACHE_DIR": str(tmp_path / "cache"),
             "PYTHONPATH": str(package.parent),
         }
         command = [sys.executable, "-c", RUN, str(estimator)]
@@ -112,11 +113,37 @@ def test_a_change_in_what_it_calls_is_noticed(run, mine, tmp_path):
     assert run(mine, copy) == (pytest.approx(2 * value), "0")
 
 
-def test_without_a_place_to_keep_it(run, mine, tmp_path):
+@pytest.mark.parametrize(
+    ("environment", "folder"),
+    [
+        ({"HOME": "/a"}, "/a/.cache/curvlib"),
+        ({"HOME": "/a", "XDG_CACHE_HOME": "/b"}, "/b/curvlib"),
+        ({"HOME": "/a", "XDG_CACHE_HOME": "/b", "NUMBA_CACHE_DIR": "/c"}, "/c/curvlib"),
+        ({"HOME": "/a", "XDG_CACHE_HOME": "", "NUMBA_CACHE_DIR": ""}, "/a/.cache/curvlib"),
+    ],
+)
+def test_where_it_is_kept(environment, folder):
+    bare = {name: value for name, value in os.environ.items() if name not in PLACES}
+    code = "from curvlib.kit.compiled import cache_folder; print(cache_folder())"
+    command = [sys.executable, "-c", code]
+    given = bare | {"PYTHONPATH": str(PACKAGE.parent)} | environment
+    assert subprocess.check_output(command, env=given, text=True) == f"{folder}\n"
+
+
+@pytest.mark.parametrize(
+    "environment",
+    [
+        {"NUMBA_CACHE_DIR": "file"},
+        {"NUMBA_CACHE_DIR": "", "XDG_CACHE_HOME": "file"},
+        {"NUMBA_CACHE_DIR": "", "XDG_CACHE_HOME": "", "HOME": "/proc"},
+    ],
+)
+def test_without_a_place_to_keep_it(run, mine, tmp_path, environment):
+    """A file in the place of the folder; a home folder that nobody can write to."""
     (tmp_path / "file").write_text("")
     expected, _ = run(mine)
     assert run.warnings == 0
-    assert run(mine, XDG_CACHE_HOME=str(tmp_path / "file")) == (expected, "0")
+    assert run(mine, **environment) == (expected, "0")
     assert run.warnings == 1
 
 
@@ -124,7 +151,7 @@ def test_without_room_to_keep_it(run, mine, tmp_path):
     """Writing ends with OSError after so many bytes, as on a full disk."""
     expected, _ = run(mine)
     for room in (0, 5000):
-        environment = {"XDG_CACHE_HOME": str(tmp_path / f"room-{room}")}
+        environment = {"NUMBA_CACHE_DIR": str(tmp_path / f"room-{room}")}
         limit = functools.partial(resource.setrlimit, resource.RLIMIT_FSIZE, (room, room))
         assert run(mine, limit=limit, **environment) == (expected, "0")
         assert run.warnings == 1
@@ -161,7 +188,7 @@ def test_code_for_other_arguments_under_that_name(tmp_path):
     path = tmp_path / "signatures.py"
     path.write_text(SIGNATURES)
     environment = os.environ | {
-        "XDG_CACHE_HOME": str(tmp_path),
+        "NUMBA_CACHE_DIR": str(tmp_path),
         "PYTHONPATH": str(PACKAGE.parent),
     }
 
@@ -184,7 +211,7 @@ def test_two_processes_at_a_time(run, mine):
 
 def test_an_import_writes_nothing(tmp_path):
     environment = os.environ | {
-        "XDG_CACHE_HOME": str(tmp_path / "cache"),
+        "NUMBA_CACHE_DIR": str(tmp_path / "cache"),
         "PYTHONPATH": str(PACKAGE.parent),
     }
     code = (
