@@ -30,6 +30,7 @@ include: "workflow/rules/readme.smk"
 include: "workflow/rules/throughput.smk"
 include: "workflow/rules/estimators.smk"
 include: "workflow/rules/adaptive.smk"
+include: "workflow/rules/frontier.smk"
 
 
 rule all:

@@ -84,6 +84,14 @@ class Passes:
         around = _around(graph, signature, given)
         return around.field(function, tuple(given.values()), field, self._threads).T
 
+    def equations(self, function, **options):
+        """Of a function that returns Coupled the list of Equations (`curvlib.meshes.coupling`), and
+        the components (c, V) where all unknowns are zero."""
+        signature, graph, field, given = self._prepared(function, None, options)
+        around = _around(graph, signature, given)
+        blocks, own = around.equations(function, tuple(given.values()), field, self._threads)
+        return blocks, own.T
+
     def _prepared(self, function, vertices, options):
         signature = Signature.of(function.__name__, function)
         chosen, graph = signature.chosen(options), self._graph

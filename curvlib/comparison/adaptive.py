@@ -9,13 +9,12 @@ import pandas as pd
 
 from curvlib.estimation import estimate
 from curvlib.kit.scales import RINGS
-from curvlib.meshes.jittered import JITTER, SEMI_AXES, graph, jittered
-from curvlib.meshes.mesh import Mesh
-from curvlib.meshes.torus import torus
 
 from .calls import Call
+from .held_out import held_out
 
 N, SEED = 50, 2003
+SURFACES = "blob", "wave", "ring"
 # Vertices that a trial of outliers displaces, and by how many mean edges.
 PART, FAR = 0.005, 5.0
 RADII = 1.5, 2, 2.8, 4, 5.6, 8, 11, 16  # of balls, in mean edges
@@ -57,8 +56,8 @@ def table(n=N, seed=SEED, threads: int = 1) -> pd.DataFrame:
         fixed fits, and `choice`, what it took at most of the vertices.
     """
     rows = []
-    for k, (surface, make) in enumerate(SURFACES.items()):
-        mesh = make(n, seed + k)
+    for k, surface in enumerate(SURFACES):
+        mesh = held_out(surface, n, seed + k)
         for noise, levels in LEVELS.items():
             for level in levels:
                 labels = {"surface": surface, "noise": noise, "level": level}
@@ -147,79 +146,3 @@ def _rows(exact, mesh, threads):
             if name == "adaptive_fit":
                 row |= {"ratio": own / least, "choice": choice.calls[most]}
             yield row
-
-
-def _level_set(vertices, faces, gradient, hessian):
-    """A mesh with exact values: those of the level set of a function that grows outward.
-
-    Source: Goldman (2005), Curvature formulas for implicit curves and surfaces.
-    """
-    square = (gradient**2).sum(1)
-    applied = np.einsum("vij,vj->vi", hessian, gradient)
-    along = (applied * gradient).sum(1)
-    trace = np.trace(hessian, axis1=1, axis2=2)
-    H = (square * trace - along) / (2 * square**1.5)
-    cofactors = np.stack(
-        [np.cross(hessian[:, (k + 1) % 3], hessian[:, (k + 2) % 3]) for k in range(3)], 1
-    )
-    K = np.einsum("vi,vij,vj->v", gradient, cofactors, gradient) / square**2
-    return Mesh(vertices, faces, normals=gradient / np.sqrt(square)[:, None], K=K, H=H)
-
-
-def _wave(n, seed):
-    """The open graph over [-1, 1]^2 of z = 0.2 sin(3 x + y) + 0.25 cos(2 y - x)."""
-    waves = (0.2, (3.0, 1.0), 0.0), (0.25, (-1.0, 2.0), np.pi / 2)
-
-    def height(x, y):
-        return sum(a * np.sin(k * x + m * y + shift) for a, (k, m), shift in waves)
-
-    mesh = graph(n, height, seed)
-    x, y, _ = mesh.vertices.T
-    gradient, hessian = np.zeros((len(x), 3)), np.zeros((len(x), 3, 3))
-    gradient[:, 2] = 1
-    for a, (k, m), shift in waves:
-        phase = k * x + m * y + shift
-        for i, p in enumerate((k, m)):
-            gradient[:, i] -= a * p * np.cos(phase)
-            for j, q in enumerate((k, m)):
-                hessian[:, i, j] += a * p * q * np.sin(phase)
-    return _level_set(mesh.vertices, mesh.faces, gradient, hessian)
-
-
-def _blob(n, seed):
-    """x^4 + y^4 + z^4 + 0.6 (x^2 + 1.5 y^2 + z^2) + 0.3 x y z = 1 about the origin, closed."""
-    ball = jittered("ellipsoid", n, seed)
-    rays, squares = ball.vertices / SEMI_AXES, 0.6 * np.array([1.0, 1.5, 1.0])
-    low, high = np.full(len(rays), 0.1), np.full(len(rays), 2.0)
-    for _ in range(60):
-        middle = (low + high) / 2
-        p = rays * middle[:, None]
-        outside = (p**4).sum(1) + (squares * p**2).sum(1) + 0.3 * p.prod(1) > 1
-        low, high = np.where(outside, low, middle), np.where(outside, middle, high)
-    p = rays * low[:, None]
-    gradient = 4 * p**3 + 2 * squares * p
-    hessian = np.zeros((len(p), 3, 3))
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        gradient[:, i] += 0.3 * p[:, j] * p[:, k]
-        hessian[:, i, i] = 12 * p[:, i] ** 2 + 2 * squares[i]
-        hessian[:, j, k] = hessian[:, k, j] = 0.3 * p[:, i]
-    return _level_set(p, ball.faces, gradient, hessian)
-
-
-def _ring(n, seed):
-    """The torus of radii 3 and 1."""
-    vertices, faces = torus(n, "irregular", seed, (3.0, 1.0), JITTER)
-    x, y, z = vertices.T
-    around = np.hypot(x, y)
-    bend = around - 3
-    gradient = np.column_stack((bend * x / around, bend * y / around, z))
-    c, s, hessian = x / around, y / around, np.zeros((len(x), 3, 3))
-    hessian[:, 0, 0] = c * c + bend / around * s * s
-    hessian[:, 1, 1] = s * s + bend / around * c * c
-    hessian[:, 0, 1] = hessian[:, 1, 0] = (1 - bend / around) * c * s
-    hessian[:, 2, 2] = 1
-    return _level_set(vertices, faces, gradient, hessian)
-
-
-SURFACES = {"blob": _blob, "wave": _wave, "ring": _ring}

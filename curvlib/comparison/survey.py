@@ -42,16 +42,22 @@ def survey(names, threads: int = 1, resolutions=RESOLUTIONS, seeds=SEEDS) -> pd.
             meshes = [jittered(surface, n, seed) for seed in seeds]
             for call in every:
                 labels = {"estimator": str(call), "surface": surface, "n": n}
-                rows += [labels | row for row in _rows(call, meshes, threads)]
-    table = pd.DataFrame(rows).sort_values([*KEY, "n"], ignore_index=True)
-    before = table.groupby(KEY)[["value", "n"]].shift()
-    with np.errstate(divide="ignore", invalid="ignore"):
-        table["order"] = np.log(before.value / table.value) / np.log(table.n / before.n)
+                rows += [labels | row for row in errors_on(meshes, call, threads)]
+    table = with_orders(pd.DataFrame(rows), KEY)
     return table[[*KEY, "n", "value", "defined", "order"]]
 
 
-def _rows(call, meshes, threads):
-    """Place, quantity, value and `defined` of a call on meshes of one resolution."""
+def with_orders(table, key) -> pd.DataFrame:
+    """A table sorted by key and `n`, with the `order` from the next coarser n of the same key."""
+    table = table.sort_values([*key, "n"], ignore_index=True)
+    before = table.groupby(key)[["value", "n"]].shift()
+    with np.errstate(divide="ignore", invalid="ignore"):
+        table["order"] = np.log(before.value / table.value) / np.log(table.n / before.n)
+    return table
+
+
+def errors_on(meshes, call, threads):
+    """Yield rows of a Call on meshes of one resolution: place, quantity, value, defined."""
     errors = {}  # (place, quantity) -> of each mesh, NaN where undefined
     for mesh in meshes:
         found = estimate(mesh, call.estimator, threads, **call.options)

@@ -38,26 +38,49 @@ def jittered(surface: str, n: int, seed: int = 0) -> Mesh:
     -------
     Mesh
     """
-    vertices, faces, gradient, hessian = SURFACES[surface](n, seed)
-    values, normals = _level_set(gradient, hessian)
+    return level_set(*SURFACES[surface](n, seed))
+
+
+def level_set(vertices, faces, gradient, hessian) -> Mesh:
+    """A mesh of a level set of a function that grows outward, with exact values.
+
+    Parameters
+    ----------
+    vertices : (V, 3)
+    faces : (F, 3) int
+    gradient : (3, V)
+        Of the function, at the vertices.
+    hessian : (3, 3, V)
+
+    Returns
+    -------
+    Mesh
+        With exact K, H, k1, k2, d1, d2 and normals.
+    """
+    values, normals = _curvatures(gradient, hessian)
     fields = {name: np.ascontiguousarray(x.T) for name, x in values._asdict().items()}
     return Mesh(vertices, faces, normals=normals.T, **fields)
 
 
 def graph(n: int, f, seed: int = 0) -> Mesh:
     """A mesh of n^2 vertices of the graph of f(x, y) over [-1, 1]^2, without exact values."""
-    from scipy.spatial import Delaunay
-
     u = np.linspace(-1, 1, n)
     x, y = (a.ravel() for a in np.meshgrid(u, u, indexing="ij"))
     inner = (np.abs(x) < 1) & (np.abs(y) < 1)
     moves = np.random.default_rng(seed).uniform(-JITTER, JITTER, (2, len(x)))
     x, y = np.stack((x, y)) + moves * inner * 2 / (n - 1)
+    return Mesh(np.column_stack((x, y, f(x, y))), plane(x, y))
+
+
+def plane(x, y):
+    """The Delaunay triangles (F, 3) of points of the plane, counter-clockwise."""
+    from scipy.spatial import Delaunay
+
     faces = Delaunay(np.column_stack((x, y))).simplices
     a, b, c = faces.T
     turned = (x[b] - x[a]) * (y[c] - y[a]) < (x[c] - x[a]) * (y[b] - y[a])
     faces[turned] = faces[turned, ::-1]
-    return Mesh(np.column_stack((x, y, f(x, y))), faces)
+    return faces
 
 
 def wavy(x, y):
@@ -97,10 +120,15 @@ def _torus(n, seed):
 
 
 def _ellipsoid(n, seed):
-    """The level set of |(x / a, y / b, z / c)|^2: a stretched sphere. Points on a spiral are evenly
-    spaced everywhere; Delaunay triangles of points on a sphere are their convex hull."""
-    from scipy.spatial import ConvexHull
+    """The level set of |(x / a, y / b, z / c)|^2: a stretched sphere."""
+    points = spiral(n, seed)
+    faces = hull(points)
+    hessian = np.broadcast_to(np.diag(2 / SEMI_AXES**2)[..., None], (3, 3, len(points)))
+    return points * SEMI_AXES, faces, 2 * (points / SEMI_AXES).T, np.ascontiguousarray(hessian)
 
+
+def spiral(n: int, seed: int = 0):
+    """n^2 points (n^2, 3) of the unit sphere on a spiral, evenly spaced, then jittered."""
     count = n * n
     z = 1 - (2 * np.arange(count) + 1) / count
     turn = np.pi * (3 - np.sqrt(5)) * np.arange(count)
@@ -108,19 +136,24 @@ def _ellipsoid(n, seed):
     points = np.column_stack((ring * np.cos(turn), ring * np.sin(turn), z))
     step = np.sqrt(4 * np.pi / count)
     points += step * np.random.default_rng(seed).uniform(-JITTER, JITTER, points.shape)
-    points /= np.linalg.norm(points, axis=1)[:, None]
+    return points / np.linalg.norm(points, axis=1)[:, None]
+
+
+def hull(points):
+    """The Delaunay triangles (F, 3) of points on the unit sphere: their convex hull."""
+    from scipy.spatial import ConvexHull
+
     faces = ConvexHull(points).simplices.astype(np.int64)
     inward = np.linalg.det(points[faces]) < 0
     faces[inward] = faces[inward, ::-1]
-    hessian = np.broadcast_to(np.diag(2 / SEMI_AXES**2)[..., None], (3, 3, count))
-    return points * SEMI_AXES, faces, 2 * (points / SEMI_AXES).T, np.ascontiguousarray(hessian)
+    return faces
 
 
 SURFACES = {"torus": _torus, "ellipsoid": _ellipsoid, "patch": _patch}
 
 
 @compiled
-def _level_set(gradient, hessian):
+def _curvatures(gradient, hessian):
     """Curvatures and unit normals (3, m) of a level set, from gradients (3, m) and Hessians
     (3, 3, m) of its function."""
     m = gradient.shape[1]

@@ -81,17 +81,23 @@ class Neighbourhoods:
     def solution(self, function, options, field, threads):
         """The values (V, c) of a function that returns Coupled, as `curvlib.kit.coupled` says; NaN
         where there is no disk. Parameters as those of `estimates`; the m vertices are all."""
+        blocks, own = self.equations(function, options, field, threads)
+        return solve(blocks, own, threads) if blocks else own
+
+    def equations(self, function, options, field, threads):
+        """Those of such a function, a list of Equations, and the values (V, c) where all unknowns
+        are zero. Parameters as those of `solution`."""
         self._take(field)
         loop = stored(_compiled(function), field is None, *self._kind)
         rule = f"{function.__name__!r} has to return Coupled"
         one = self._probe(functools.partial(equations, loop, WIDEST), rule, options)
         if one is None:
-            return np.empty((len(self._reach.vertices), 0))
+            return [], np.empty((len(self._reach.vertices), 0))
         others, constants = one[1]
         own = np.empty((len(self._reach.vertices), 3 + others + constants))
         stored_by = functools.partial(equations, loop, others)
         found = self._run(stored_by, rule, self._blocks(), own, options, threads)
-        return solve([block for block, _ in found], own, threads)
+        return [block for block, _ in found], own
 
     def reached(self, threads) -> np.ndarray:
         """The vertices in the disks, or corners of the balls, of the m vertices, and these."""

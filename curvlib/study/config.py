@@ -58,6 +58,7 @@ class Study(Readings):
             self._check_options(choices_of(names))
         for name in self.more_readings:
             check_name("reading", name, self.readings, "config: more_readings")
+        self.frontier = _resolutions("frontier", config["frontier"])
         self.library = _library(config["library"])
         self.results = _folder("results", config["results"])
 

@@ -5,28 +5,11 @@ import pytest
 
 import curvlib
 from curvlib.comparison import adaptive
-from curvlib.estimation import estimate
-
-
-@pytest.mark.parametrize("surface", adaptive.SURFACES)
-def test_exact_values_are_those_that_a_fit_converges_to(surface):
-    """A sign or a factor that is wrong would leave an error that no refinement takes away."""
-    errors = []
-    for n in (30, 60):
-        mesh = adaptive.SURFACES[surface](n, 1)
-        assert len(mesh.vertices) == n * n
-        found = estimate((mesh.vertices, mesh.faces), "jet", degree=4, rings=2)
-        inner = ~mesh.boundary
-        errors.append(
-            [np.abs(found.K - mesh.K)[inner].mean(), np.abs(found.H - mesh.H)[inner].mean()]
-        )
-        turned = (mesh.normals * np.roll(mesh.normals, 1, axis=0)).sum(1)
-        assert np.isfinite(turned).all()
-    assert (np.array(errors[1]) < np.array(errors[0]) / 5).all()
+from curvlib.comparison.held_out import held_out
 
 
 def test_kinds_of_noise():
-    mesh = adaptive.SURFACES["ring"](30, 2)
+    mesh = held_out("ring", 30, 2)
 
     def moves(noise, level):
         return (adaptive.noisy(mesh, noise, level, 3).vertices - mesh.vertices) / mesh.mean_edge
@@ -52,14 +35,14 @@ def test_kinds_of_noise():
 def test_table(monkeypatch):
     """A row for each fit and quantity; ratios to the least of the fixed ones."""
     monkeypatch.setattr(adaptive, "LEVELS", {"white": (0.01,)})
-    monkeypatch.setattr(adaptive, "SURFACES", {"ring": adaptive.SURFACES["ring"]})
+    monkeypatch.setattr(adaptive, "SURFACES", ["ring"])
     table = adaptive.table(20, 4)
     assert len(adaptive.fixed()) >= 25
     assert len(table) == 2 * (1 + len(adaptive.fixed()))
     of_H = table[table.quantity == "H"].set_index("fit")
     own = of_H.loc["adaptive_fit"]
     assert own.ratio == pytest.approx(own.value / of_H.drop("adaptive_fit").value.min())
-    mesh = adaptive.SURFACES["ring"](20, 4)
+    mesh = held_out("ring", 20, 4)
     moved = adaptive.noisy(mesh, "white", 0.01, 4)
     error = np.abs(curvlib.estimate(moved, "jet", degree=2, rings=3).H - mesh.H).mean()
     assert of_H.loc["jet(degree=2, rings=3)"].value == pytest.approx(error)

@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 
 import curvlib
-from curvlib.kit.compiled import compiled
+from curvlib.comparison.references import principal_axes
 from curvlib.kit.polynomial import fit_polynomial
 from curvlib.kit.tensor import from_graph
-from curvlib.kit.vectors import dot, tangents
 from curvlib.meshes.jittered import graph, wavy
 from curvlib.meshes.torus import torus
 
@@ -21,29 +20,13 @@ def peers(name):
     return curvlib.Mesh(PEERS[f"{name}_vertices"], PEERS[f"{name}_faces"])
 
 
-@compiled
-def in_principal_axes(disk, degree: Literal[2, 4] = 2, rings: Literal[2, 3] = 2):
-    """The jet in CGAL's frame, by the principal axes of the vertex and its neighbours."""
-    n = disk.count
-    points = np.zeros((3, n + 1))
-    points[:, 1:] = disk.e[:, :n]
-    for c in range(3):
-        points[c] -= points[c].mean()
-    _, axes = np.linalg.eigh(points @ points.T)
-    N = (axes[0, 0], axes[1, 0], axes[2, 0])
-    if dot(N, disk.normal) < 0:
-        N = (-N[0], -N[1], -N[2])
-    X, Y = tangents(N)
-    return from_graph(*fit_polynomial(disk, X, Y, N, 0, degree)[0], X, Y, N)[0]
-
-
 @pytest.mark.parametrize("name", ["torus", "patch"])
 @pytest.mark.parametrize(("degree", "rings"), [(2, 2), (4, 3)])
 def test_jets_against_cgal(name, degree, rings):
     """CGAL 5.5.1, Monge_via_jet_fitting over the vertex and its rings, NaN with too few points: the
     same in its frame; in ours within the error of the method, and no worse in the mean."""
     mesh, theirs = peers(name), PEERS[f"{name}_jet_degree{degree}_rings{rings}"]
-    same = curvlib.estimate(mesh, in_principal_axes, degree=degree, rings=rings)
+    same = curvlib.estimate(mesh, principal_axes, degree=degree, rings=rings)
     there = np.isfinite(theirs[:, 0])
     np.testing.assert_allclose(same.k1[there], theirs[there, 0], atol=1e-9)
     np.testing.assert_allclose(same.k2[there], theirs[there, 1], atol=1e-9)

@@ -15,6 +15,7 @@ def config(tmp_path):
         "more_readings": ["default", "half"],
         "vary": ["area", "normal", "vertices"],
         "product": ["area", "dihedral"],
+        "frontier": [12, 18, 24],
         "library": str(tmp_path),
         "results": str(tmp_path),
     }

@@ -15,6 +15,7 @@ rule adaptive:
         "../envs/curvlib.yaml"
     threads: workflow.cores
     params:
+        n=study.frontier[min(1, len(study.frontier) - 1)],
         code=code("adaptive", *map(estimators.path, sorted(COMPARED))),
     script:
         "../scripts/adaptive.py"

@@ -4,6 +4,6 @@ from curvlib.comparison.adaptive import ratios, table
 from curvlib.study.job import logged
 
 with logged(snakemake.log[0]):
-    errors = table(threads=snakemake.threads)
+    errors = table(snakemake.params.n, threads=snakemake.threads)
     errors.to_csv(snakemake.output.table, index=False)
     ratios(errors).to_csv(snakemake.output.ratios, index=False)

@@ -1,0 +1,83 @@
+# In: nothing, and the tables of adaptive.smk. Out: the article on the estimators past 2003, results/paper/
+# frontier.pdf, with tables and figures in results/frontier. Not part of `all`: the study is about the nine
+# of 2003.
+FRONTIER = study.results / "frontier"
+FITS = ("adaptive_fit", "ball_regression", "compact_hermite", "jet")
+# Without them there is nothing to write about.
+FITTED = [estimators.path(name) for name in FITS if name in estimators.names()]
+
+
+def fitted(*tables):
+    """Files of tables by their names, with _ for -."""
+    return {table.replace("-", "_"): FRONTIER / f"tables/{table}.csv" for table in tables}
+
+
+rule fits_accuracy:
+    output:
+        **fitted("accuracy", "peers"),
+    log:
+        study.results / "logs/fits_accuracy.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        resolutions=study.frontier,
+        code=code("fits_accuracy", *map(estimators.path, estimators.names())),
+    script:
+        "../scripts/fits_accuracy.py"
+
+
+rule fits_parts:
+    output:
+        **fitted(
+            "ablation-jets",
+            "ablation-compact",
+            "contraction",
+            "boundary",
+            "hessians",
+            "half",
+            "voxel",
+        ),
+    log:
+        study.results / "logs/fits_parts.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        resolutions=study.frontier,
+        code=code("fits_parts", *FITTED),
+    script:
+        "../scripts/fits_parts.py"
+
+
+rule fits_cost:
+    output:
+        **fitted("cost", "cost-phases"),
+    log:
+        study.results / "logs/fits_cost.log",
+    conda:
+        "../envs/curvlib.yaml"
+    # Alone on the machine: what runs beside it takes cache and bandwidth.
+    threads: workflow.cores
+    params:
+        # The mesh has about 200,000 vertices.
+        side=9 * study.frontier[min(1, len(study.frontier) - 1)],
+        code=code("fits_cost", *map(estimators.path, estimators.names())),
+    script:
+        "../scripts/fits_cost.py"
+
+
+rule fits_targets:
+    input:
+        **rules.fits_accuracy.output,
+        **rules.fits_cost.output,
+        **rules.fits_parts.output,
+        adaptive_ratios=rules.adaptive.output.ratios,
+    output:
+        **fitted("summary", "targets", "moonshots"),
+    log:
+        study.results / "logs/fits_targets.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        code=code("fits_targets"),
+    script:
+        "../scripts/fits_targets.py"
