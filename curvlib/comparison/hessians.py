@@ -10,6 +10,8 @@ from curvlib.estimation import estimate
 RINGS = 2
 # Weights of slopes and of second derivatives beside heights, in whitened coordinates.
 SLOPE, SECOND = 0.1, 0.01
+# Powers of the derivatives and weights that make the sum of squares that of the Hessian.
+SECONDS = ((2, 0), 1.0), ((1, 1), 2**0.5), ((0, 2), 1.0)
 BLOCK = 1000  # vertices whose matrices are made at a time
 TOLERANCE, SWEEPS = 1e-6, 60
 
@@ -126,7 +128,7 @@ def _maps(x, y, axes, there, degree, slope, second):
                 return factor * u ** max(i - m, 0) * v ** max(j - n, 0) * inside
 
             first = slope * term(1, 0), slope * term(0, 1)
-            curved = second * term(2, 0), second * term(1, 1), second * term(0, 2)
+            curved = (second * w * term(*m) for m, w in SECONDS)
             return np.concatenate((term(0, 0), *first, *curved), 1)
 
         A = np.stack([column(i, j) for i, j in powers], 2)
@@ -145,7 +147,8 @@ def _data(height, p, q, r, s, t, axes, there, slope, second):
         (s * x_xi + t * y_xi) * y_eta,
         t * y_eta**2,
     )
-    rows = (height, *(slope * z for z in first), *(second * z for z in curved))
+    weighted = (second * w * z for z, (_, w) in zip(curved, SECONDS))
+    rows = (height, *(slope * z for z in first), *weighted)
     return np.concatenate([np.where(there, z, 0) for z in rows], 1)
 
 
