@@ -148,7 +148,15 @@ def test_spheres_of_voxels():
 def test_targets_are_met_by_the_worst_case():
     accuracy = pd.DataFrame(
         {"estimator": "jet(degree=6, rings=3)", "surface": s, "kind": "jittered", "n": n}
-        | {"quantity": "K", "place": p, "closed": True, "ratio": ratio, "order": 5, "defined": 1}
+        | {
+            "quantity": "K",
+            "place": p,
+            "closed": True,
+            "ratio": ratio,
+            "order": 5,
+            "defined": 1,
+            "value": ratio,
+        }
         for s, n, p, ratio in (
             ("a", 50, "interior", 0.01),
             ("b", 50, "interior", 0.08),
