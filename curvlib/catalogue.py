@@ -216,3 +216,5 @@ def _in_one_line(error):
 estimators = Catalogue("estimator", "estimators", "estimate")
 peers = Catalogue("peer", "peers", "returned", "estimate")
 surfaces = Catalogue("surface", "surfaces", "LABEL", "build")
+implicit = Catalogue("implicit surface", "implicit", "LABEL", "level")
+families = Catalogue("family", "families", "LABEL", "make")

@@ -26,6 +26,8 @@ DOORS = {
     "meshes": {"columns", "errors", "files", "kit", "parallel"},
     "peers": {"files", "kit"},
     "nurbs": {"errors", "kit", "meshes"},
+    "implicit": {"catalogue", "meshes"},
+    "families": {"catalogue", "implicit", "meshes", "nurbs", "surfaces"},
     "surfaces": {"catalogue", "errors", "nurbs"},
     "causes": {"errors", "meshes"},
     "estimates": {"causes", "columns", "kit", "meshes", "regions"},

@@ -9,17 +9,14 @@ import pandas as pd
 
 from curvlib.estimation import estimate
 from curvlib.kit.scales import RINGS
+from curvlib.meshes.noise import noisy
 
 from .calls import Call
 from .held_out import held_out
 
 N, SEED = 50, 2003
 SURFACES = "blob", "wave", "ring"
-# Vertices that a trial of outliers displaces, and by how many mean edges.
-PART, FAR = 0.005, 5.0
 RADII = 1.5, 2, 2.8, 4, 5.6, 8, 11, 16  # of balls, in mean edges
-# Sweeps of means over neighbours that correlate noise.
-SWEEPS = 3
 LEVELS = {
     "white": (0.0, 1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.2),
     "isotropic": (0.01, 0.05),
@@ -29,13 +26,7 @@ LEVELS = {
     "half": (0.01, 0.05),
     "float32": (0.0,),
 }
-"""Kinds of noise, and its levels in mean edges.
-
-white: normal deviates along the normals; isotropic: in all directions; correlated: white noise
-averaged over neighbours; quantised: coordinates rounded to multiples; outliers: PART of the
-vertices lie FAR off, on either side, the others have white noise; half: white noise where x is
-above its median; float32: coordinates in single precision.
-"""
+"""Kinds of noise (`curvlib.meshes.noise`) and levels in mean edges."""
 
 
 def table(n=N, seed=SEED, threads: int = 1) -> pd.DataFrame:
@@ -74,42 +65,6 @@ def ratios(table) -> pd.DataFrame:
     groups = own.groupby(["noise", "quantity"], sort=False).ratio
     found = groups.agg([lambda x: np.exp(np.log(x).mean()), "max", "size"])
     return found.set_axis(["mean", "worst", "cases"], axis=1).reset_index()
-
-
-def noisy(mesh, noise, level, seed):
-    """A mesh with some kind of noise."""
-    rng, length = np.random.default_rng(seed), mesh.mean_edge
-    count, step = len(mesh.vertices), level * mesh.mean_edge
-    vertices = np.array(mesh.vertices)
-    if noise == "quantised":
-        vertices = np.round(vertices / step) * step
-    elif noise == "float32":
-        vertices = vertices.astype(np.float32)
-    elif noise == "isotropic":
-        vertices += step * rng.standard_normal((count, 3))
-    else:
-        deviates = rng.standard_normal(count)
-        if noise == "correlated":
-            deviates = _correlated(mesh, deviates)
-        if noise == "half":
-            deviates *= vertices[:, 0] > np.median(vertices[:, 0])
-        moves = step * deviates
-        if noise == "outliers":
-            far = rng.choice(count, int(PART * count), replace=False)
-            moves[far] = FAR * length * rng.choice([-1, 1], len(far))
-        vertices += moves[:, None] * mesh.normals
-    return mesh.moved(vertices)
-
-
-def _correlated(mesh, x):
-    edges = np.concatenate([mesh.faces[:, [0, 1]], mesh.faces[:, [1, 2]], mesh.faces[:, [2, 0]]])
-    for _ in range(SWEEPS):
-        total, number = np.array(x), np.ones(len(x))
-        for a, b in (edges.T, edges.T[::-1]):
-            np.add.at(total, a, x[b])
-            np.add.at(number, a, 1)
-        x = total / number
-    return x / x.std()
 
 
 def fixed():

@@ -4,8 +4,9 @@ import numpy as np
 import pandas as pd
 
 from curvlib.estimation import estimate
+from curvlib.meshes.noise import noisy
 
-from .adaptive import fixed, noisy
+from .adaptive import fixed
 from .boundary import LAYERS
 from .hessians import hessians
 from .references import principal_axes

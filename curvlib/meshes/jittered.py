@@ -1,17 +1,10 @@
 """Irregular meshes of surfaces in closed form, with exact values at their vertices: points of a
 jittered grid, joined by Delaunay.
-
-Each surface is a level set of a function f that grows outward. In an orthonormal frame of the
-tangent plane its second fundamental form is the Hessian of f over |grad f|, positive where the
-surface bends away from its normal.
 """
 
 import numpy as np
 
-from curvlib.kit.compiled import compiled
-from curvlib.kit.tensor import batch, from_form, put
-from curvlib.kit.vectors import at, divide, dot, norm, tangents
-
+from .level_set import on_level_set
 from .mesh import Mesh
 from .torus import torus
 
@@ -57,9 +50,7 @@ def level_set(vertices, faces, gradient, hessian) -> Mesh:
     Mesh
         With exact K, H, k1, k2, d1, d2 and normals.
     """
-    values, normals = _curvatures(gradient, hessian)
-    fields = {name: np.ascontiguousarray(x.T) for name, x in values._asdict().items()}
-    return Mesh(vertices, faces, normals=normals.T, **fields)
+    return Mesh(vertices, faces, **on_level_set(gradient, hessian))
 
 
 def graph(n: int, f, seed: int = 0) -> Mesh:
@@ -150,24 +141,3 @@ def hull(points):
 
 
 SURFACES = {"torus": _torus, "ellipsoid": _ellipsoid, "patch": _patch}
-
-
-@compiled
-def _curvatures(gradient, hessian):
-    """Curvatures and unit normals (3, m) of a level set, from gradients (3, m) and Hessians
-    (3, 3, m) of its function."""
-    m = gradient.shape[1]
-    values, normals = batch(m), np.empty((3, m))
-    for k in range(m):
-        g = at(gradient, k)
-        length = norm(g)
-        n = divide(g, length)
-        X, Y = tangents(n)
-        rows = at(hessian, 0, k), at(hessian, 1, k), at(hessian, 2, k)
-        to_x = dot(rows[0], X), dot(rows[1], X), dot(rows[2], X)
-        to_y = dot(rows[0], Y), dot(rows[1], Y), dot(rows[2], Y)
-        a, b, c = dot(X, to_x), dot(X, to_y), dot(Y, to_y)
-        put(values, k, from_form(a / length, b / length, c / length, X, n))
-        for i in range(3):
-            normals[i, k] = n[i]
-    return values, normals
