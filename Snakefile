@@ -31,6 +31,7 @@ include: "workflow/rules/throughput.smk"
 include: "workflow/rules/estimators.smk"
 include: "workflow/rules/adaptive.smk"
 include: "workflow/rules/frontier.smk"
+include: "workflow/rules/benchmark.smk"
 
 
 rule all:

@@ -56,6 +56,7 @@ DOORS = {
         "signatures",
         "surfaces",
     },
+    "benchmark": {"catalogue", "comparison", "errors", "estimation", "meshes"},
     "claims": {"comparison"},
     "accessor": {"estimation"},
     "figures": {"comparison", "errors", "files", "meshes", "regions"},

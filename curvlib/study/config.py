@@ -61,6 +61,7 @@ class Study(Readings):
         self.frontier = _resolutions("frontier", config["frontier"])
         self.library = _library(config["library"])
         self.results = _folder("results", config["results"])
+        self.benchmark = config["benchmark"]
 
     def is_that_of(self, config: dict) -> bool:
         """Whether another config describes the same study, apart from the folders."""

@@ -16,6 +16,7 @@ def config(tmp_path):
         "vary": ["area", "normal", "vertices"],
         "product": ["area", "dihedral"],
         "frontier": [12, 18, 24],
+        "benchmark": "config/benchmark.yaml",
         "library": str(tmp_path),
         "results": str(tmp_path),
     }

@@ -230,6 +230,39 @@ def test_the_survey_is_of_every_file(study):
     assert "estimators" not in rules(study("--dry-run"))
 
 
+PLAN = """
+estimators: [jet, gauss_bonnet]
+peers: [vtk_curvatures]
+families: [fan]
+seed: 1
+resolutions: [8]
+own_resolutions: {}
+noise: {family: jittered, surfaces: [patch], n: 12, kinds: [white], levels: [0.1]}
+cost: 16
+published_2020: [torus-25-10]
+"""
+
+
+def test_the_benchmark_as_its_file_plans_it(study):
+    study.write("plan.yaml", PLAN)
+    study.write("small.yaml", f"{SMALL}\nbenchmark: plan.yaml\n")
+    done = rules(study("benchmark", "--cores", "2"))
+    assert done["benchmark_errors"] == 2
+    assert "Nothing to be done" in study("benchmark")
+    folder = study.folder / "results/small/benchmark"
+    errors = pd.read_csv(folder / "tables/errors.csv")
+    assert set(errors.noise) == {"none", "white"}
+    assert set(errors.estimator.str.partition("(")[0]) >= {"jet", "gauss_bonnet"}
+    text = (folder / "tables/recommendation.md").read_text(encoding="utf-8")
+    assert "| CAD tessellations | `gauss_bonnet` |" in text
+    assert "# Which estimator" in (folder / "which-estimator.md").read_text(encoding="utf-8")
+    study.write("plan.yaml", PLAN.replace("[fan]", "[fans]"))
+    assert "did you mean 'fan'" in study("benchmark", ok=False)
+    assert "benchmark" not in "".join(
+        rules(study("--dry-run", "estimators", config="config/quick.yaml"))
+    )
+
+
 def test_a_fault_in_a_strangers_file_is_one_line(study):
     study.write(
         "mine.py", "LABEL = 'Mine'\n\n\ndef estimate(ring):\n    raise ValueError('not today')\n"

@@ -1,0 +1,100 @@
+# In: config/benchmark.yaml, or the file that the study's config names. Out: every estimator, and what is
+# installed of other libraries, on all families of meshes and under noise: results/benchmark/tables, figures,
+# the recommendation and the page "Which estimator should I use?". Not part of `all`: the study is about the
+# nine of 2003.
+from curvlib.benchmark.plan import Plan
+from curvlib.catalogue import families, implicit, peers
+
+BENCHMARK = study.results / "benchmark"
+
+try:
+    PLAN = Plan(Path(workflow.basedir, study.benchmark))
+except InputError as error:
+    sys.exit(f"error: {error}")
+
+RANKED = [*map(estimators.path, PLAN.estimators), *map(peers.path, PLAN.peers)]
+MESHED = [*map(families.path, PLAN.families), *map(implicit.path, implicit.names())]
+
+
+def tables(*names):
+    """Tables of the benchmark by their names, with _ for -."""
+    return {name.replace("-", "_"): BENCHMARK / f"tables/{name}.csv" for name in names}
+
+
+rule benchmark_errors:
+    input:
+        PLAN.path,
+    output:
+        errors=BENCHMARK / "errors/{part}.csv",
+        causes=BENCHMARK / "causes/{part}.csv",
+    log:
+        BENCHMARK / "logs/errors/{part}.log",
+    wildcard_constraints:
+        part="|".join(map(re.escape, PLAN.parts)),
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        code=code("benchmark_errors", *RANKED, *MESHED),
+    script:
+        "../scripts/benchmark_errors.py"
+
+
+rule benchmark_cost:
+    input:
+        PLAN.path,
+    output:
+        **tables("cost"),
+    log:
+        BENCHMARK / "logs/cost.log",
+    conda:
+        "../envs/curvlib.yaml"
+    # Alone on the machine: what runs beside it takes cache and bandwidth.
+    threads: workflow.cores
+    params:
+        code=code("benchmark_cost", *RANKED),
+    script:
+        "../scripts/benchmark_cost.py"
+
+
+rule benchmark_tables:
+    input:
+        plan=PLAN.path,
+        errors=expand(BENCHMARK / "errors/{part}.csv", part=PLAN.parts),
+        causes=expand(BENCHMARK / "causes/{part}.csv", part=PLAN.parts),
+        cost=rules.benchmark_cost.output.cost,
+    output:
+        **tables("errors", "undefined", "orders", "ranking", "situations", "advice", "methods"),
+    log:
+        BENCHMARK / "logs/tables.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        code=code("benchmark_tables"),
+    script:
+        "../scripts/benchmark_tables.py"
+
+
+rule benchmark_pages:
+    input:
+        plan=PLAN.path,
+        advice=rules.benchmark_tables.output.advice,
+        situations=rules.benchmark_tables.output.situations,
+        methods=rules.benchmark_tables.output.methods,
+        cost=rules.benchmark_cost.output.cost,
+    output:
+        recommendation=BENCHMARK / "tables/recommendation.md",
+        which=BENCHMARK / "which-estimator.md",
+    log:
+        BENCHMARK / "logs/pages.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        code=code("benchmark_pages"),
+    script:
+        "../scripts/benchmark_pages.py"
+
+
+rule benchmark:
+    input:
+        rules.benchmark_tables.output,
+        rules.benchmark_pages.output,
