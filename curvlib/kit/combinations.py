@@ -1,13 +1,10 @@
 """Linear combinations of rows, as in `lanes`."""
 
-import functools
-
 import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
-from numba.extending import intrinsic, overload
 
-from .lanes import LANES, VECTOR, _every, _is_matrix, _load, _matrix, _store
+from .lanes import LANES, VECTOR, _every, _load, _matrix, _store, in_lanes
 
 
 def combine(rows, i, number, first, count, factors):
@@ -39,78 +36,62 @@ def substitute(rows, i, count, factors):
     rows[i] -= (s[0] + s[1]) + (s[2] + s[3])
 
 
-@functools.cache
-def _combine(outputs):
-    """The intrinsic for a number of rows."""
-
-    def generate(context, builder, signature, arguments):
-        row, blocks = _matrix(context, builder, signature.args[0], arguments[0])
-        _, i, first, count, _ = arguments
-        factor = context.make_array(signature.args[4])(context, builder, arguments[4]).data
-        totals = [cgutils.alloca_once(builder, VECTOR) for _ in range(outputs)]
-        with cgutils.for_range(builder, blocks) as block:
-            for total in totals:
-                builder.store(ir.Constant(VECTOR, [0.0] * LANES), total)
-            with cgutils.for_range(builder, count) as loop:
-                value = _load(builder, row(builder.add(first, loop.index)), block.index)
-                place = builder.mul(loop.index, loop.index.type(LANES))
-                for f, total in enumerate(totals):
-                    at = builder.gep(factor, [builder.add(place, place.type(f))])
-                    product = builder.fmul(_every(builder, builder.load(at)), value)
-                    builder.store(builder.fadd(builder.load(total), product), total)
-            for f, total in enumerate(totals):
-                _store(builder, builder.load(total), row(builder.add(i, i.type(f))), block.index)
-        return context.get_dummy_value()
-
-    @intrinsic
-    def combined(typingctx, rows, i, first, count, factors):
-        return types.void(rows, types.intp, types.intp, types.intp, factors), generate
-
-    return combined
-
-
-@intrinsic
-def _substitute(typingctx, rows, i, count, factors):
-    def generate(context, builder, signature, arguments):
-        row, blocks = _matrix(context, builder, signature.args[0], arguments[0])
-        _, i, count, _ = arguments
-        factor = context.make_array(signature.args[3])(context, builder, arguments[3]).data
-        totals = [cgutils.alloca_once(builder, VECTOR) for _ in range(4)]
-        whole = builder.mul(builder.udiv(count, count.type(4)), count.type(4))
-
-        def add(j, block, total):
-            x = _every(builder, builder.load(builder.gep(factor, [j])))
-            below = row(builder.add(builder.add(i, i.type(1)), j))
-            product = builder.fmul(x, _load(builder, below, block))
-            builder.store(builder.fadd(builder.load(total), product), total)
-
-        with cgutils.for_range(builder, blocks) as block:
-            for total in totals:
-                builder.store(ir.Constant(VECTOR, [0.0] * LANES), total)
-            with cgutils.for_range_slice(builder, count.type(0), whole, count.type(4)) as (j, _):
-                for f, total in enumerate(totals):
-                    add(builder.add(j, j.type(f)), block.index, total)
-            with cgutils.for_range_slice(builder, whole, count, count.type(1)) as (j, _):
-                add(j, block.index, totals[0])
-            a, b, c, d = map(builder.load, totals)
-            s = builder.fadd(builder.fadd(a, b), builder.fadd(c, d))
-            value = builder.fsub(_load(builder, row(i), block.index), s)
-            _store(builder, value, row(i), block.index)
-        return context.get_dummy_value()
-
-    return types.void(rows, types.intp, types.intp, factors), generate
-
-
-@overload(combine)
-def _(rows, i, number, first, count, factors):
-    if not (_is_matrix(rows) and isinstance(number, types.IntegerLiteral)):
-        return None
-    combined = _combine(number.literal_value)
-    return lambda rows, i, number, first, count, factors: combined(rows, i, first, count, factors)
-
-
-@overload(substitute)
-def _(rows, i, count, factors):
-    if _is_matrix(rows):
-        return lambda rows, i, count, factors: _substitute(rows, i, count, factors)
+def _combined(rows, i, number, first, count, factors):
+    if isinstance(number, types.IntegerLiteral):
+        return types.void(rows, types.intp, number, types.intp, types.intp, factors)
     return None
+
+
+@in_lanes(combine, _combined)
+def _(context, builder, signature, arguments):
+    row, blocks = _matrix(context, builder, signature.args[0], arguments[0])
+    _, i, _, first, count, _ = arguments
+    outputs = signature.args[2].literal_value
+    factor = context.make_array(signature.args[5])(context, builder, arguments[5]).data
+    totals = [cgutils.alloca_once(builder, VECTOR) for _ in range(outputs)]
+    with cgutils.for_range(builder, blocks) as block:
+        for total in totals:
+            builder.store(ir.Constant(VECTOR, [0.0] * LANES), total)
+        with cgutils.for_range(builder, count) as loop:
+            value = _load(builder, row(builder.add(first, loop.index)), block.index)
+            place = builder.mul(loop.index, loop.index.type(LANES))
+            for f, total in enumerate(totals):
+                at = builder.gep(factor, [builder.add(place, place.type(f))])
+                product = builder.fmul(_every(builder, builder.load(at)), value)
+                builder.store(builder.fadd(builder.load(total), product), total)
+        for f, total in enumerate(totals):
+            _store(builder, builder.load(total), row(builder.add(i, i.type(f))), block.index)
+    return context.get_dummy_value()
+
+
+def _substituted(rows, i, count, factors):
+    return types.void(rows, types.intp, types.intp, factors)
+
+
+@in_lanes(substitute, _substituted)
+def _(context, builder, signature, arguments):
+    row, blocks = _matrix(context, builder, signature.args[0], arguments[0])
+    _, i, count, _ = arguments
+    factor = context.make_array(signature.args[3])(context, builder, arguments[3]).data
+    totals = [cgutils.alloca_once(builder, VECTOR) for _ in range(4)]
+    whole = builder.mul(builder.udiv(count, count.type(4)), count.type(4))
+
+    def add(j, block, total):
+        x = _every(builder, builder.load(builder.gep(factor, [j])))
+        below = row(builder.add(builder.add(i, i.type(1)), j))
+        product = builder.fmul(x, _load(builder, below, block))
+        builder.store(builder.fadd(builder.load(total), product), total)
+
+    with cgutils.for_range(builder, blocks) as block:
+        for total in totals:
+            builder.store(ir.Constant(VECTOR, [0.0] * LANES), total)
+        with cgutils.for_range_slice(builder, count.type(0), whole, count.type(4)) as (j, _):
+            for f, total in enumerate(totals):
+                add(builder.add(j, j.type(f)), block.index, total)
+        with cgutils.for_range_slice(builder, whole, count, count.type(1)) as (j, _):
+            add(j, block.index, totals[0])
+        a, b, c, d = map(builder.load, totals)
+        s = builder.fadd(builder.fadd(a, b), builder.fadd(c, d))
+        value = builder.fsub(_load(builder, row(i), block.index), s)
+        _store(builder, value, row(i), block.index)
+    return context.get_dummy_value()

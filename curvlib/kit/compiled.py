@@ -105,9 +105,7 @@ class _Parts:
     def get_call_template(self, args, kws):
         """As `Dispatcher.get_call_template`."""
         pysig, args = self.jit._compiler.fold_argument_types(args, kws)
-        # Once for all numbers, not for each constant.
-        constants = types.IntegerLiteral, types.BooleanLiteral
-        args = tuple(types.unliteral(x) if isinstance(x, constants) else x for x in args)
+        args = tuple(map(_for_all, args))
         self._compile(args)
         signatures = [code.signature for code, _ in self.overloads.values()]
         name = self.jit.py_func.__name__
@@ -140,6 +138,14 @@ class _Parts:
             key = object()
             context.insert_user_function(key, code.fndesc, [code.library])
             self.overloads[args] = code, key
+
+
+def _for_all(kind):
+    """The type of all numbers for that of a constant, for which code is compiled only once."""
+    if isinstance(kind, types.UniTuple):
+        return type(kind)(_for_all(kind.dtype), kind.count)
+    number = isinstance(kind, (types.IntegerLiteral, types.BooleanLiteral))
+    return types.unliteral(kind) if number else kind
 
 
 def _identity(functions):

@@ -8,10 +8,12 @@ In all functions `rows` is a C-contiguous array of float64 (m, n), n a multiple 
 are rows of it.
 """
 
+import functools
+
 import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
-from numba.extending import intrinsic, overload
+from numba.extending import lower_builtin, type_callable
 
 LANES = 8
 VECTOR = ir.VectorType(ir.DoubleType(), LANES)
@@ -86,100 +88,89 @@ def _is_matrix(kind):
     return isinstance(kind, types.Array) and (kind.ndim, kind.layout) == (2, "C")
 
 
-@intrinsic
-def _dot(typingctx, rows, i, j):
-    def generate(context, builder, signature, arguments):
-        row, number = _matrix(context, builder, signature.args[0], arguments[0])
-        a, b = row(arguments[1]), row(arguments[2])
-        total = cgutils.alloca_once_value(builder, ir.Constant(VECTOR, [0.0] * LANES))
-        with cgutils.for_range(builder, number) as loop:
-            product = builder.fmul(_load(builder, a, loop.index), _load(builder, b, loop.index))
-            builder.store(builder.fadd(builder.load(total), product), total)
-        s, width = builder.load(total), LANES
-        while width > 1:
-            width //= 2
-            halves = [
-                builder.shuffle_vector(
-                    s, s, ir.Constant(ir.VectorType(ir.IntType(32), width), part)
-                )
-                for part in (list(range(width)), list(range(width, 2 * width)))
-            ]
-            s = builder.fadd(*halves)
-        return builder.extract_element(s, ir.IntType(32)(0))
+def in_lanes(function, signature):
+    """Compile calls of a function to LLVM code that the decorated function generates.
 
-    return types.float64(rows, types.intp, types.intp), generate
+    Parameters
+    ----------
+    function : callable
+        Its first parameter is `rows`.
+    signature : callable
+        From the types of its parameters; None where they do not fit.
+    """
+
+    @functools.wraps(signature)
+    def typed(rows, *kinds):
+        return signature(rows, *kinds) if _is_matrix(rows) else None
+
+    type_callable(function)(lambda context: typed)
+    return lower_builtin(function, types.VarArg(types.Any))
 
 
-@intrinsic
-def _multiply(typingctx, rows, i, j, k):
-    def generate(context, builder, signature, arguments):
-        row, number = _matrix(context, builder, signature.args[0], arguments[0])
-        out, a, b = map(row, arguments[1:])
-        with cgutils.for_range(builder, number) as loop:
-            product = builder.fmul(_load(builder, a, loop.index), _load(builder, b, loop.index))
-            _store(builder, product, out, loop.index)
-        return context.get_dummy_value()
-
-    return types.void(rows, types.intp, types.intp, types.intp), generate
-
-
-@intrinsic
-def _project(typingctx, rows, i, j, a):
-    def generate(context, builder, signature, arguments):
-        row, number = _matrix(context, builder, signature.args[0], arguments[0])
-        out, first = row(arguments[1]), arguments[2]
-        e = [row(builder.add(first, first.type(c))) for c in range(3)]
-        factors = [_every(builder, x) for x in cgutils.unpack_tuple(builder, arguments[3])]
-        with cgutils.for_range(builder, number) as loop:
-            x, y, z = (
-                builder.fmul(factor, _load(builder, component, loop.index))
-                for factor, component in zip(factors, e)
-            )
-            _store(builder, builder.fadd(builder.fadd(x, y), z), out, loop.index)
-        return context.get_dummy_value()
-
-    triple = types.UniTuple(types.float64, 3)
-    return types.void(rows, types.intp, types.intp, triple), generate
+@in_lanes(dot, lambda rows, i, j: types.float64(rows, types.intp, types.intp))
+def _(context, builder, signature, arguments):
+    row, number = _matrix(context, builder, signature.args[0], arguments[0])
+    a, b = row(arguments[1]), row(arguments[2])
+    total = cgutils.alloca_once_value(builder, ir.Constant(VECTOR, [0.0] * LANES))
+    with cgutils.for_range(builder, number) as loop:
+        product = builder.fmul(_load(builder, a, loop.index), _load(builder, b, loop.index))
+        builder.store(builder.fadd(builder.load(total), product), total)
+    s, width = builder.load(total), LANES
+    while width > 1:
+        width //= 2
+        halves = [
+            builder.shuffle_vector(s, s, ir.Constant(ir.VectorType(ir.IntType(32), width), part))
+            for part in (list(range(width)), list(range(width, 2 * width)))
+        ]
+        s = builder.fadd(*halves)
+    return builder.extract_element(s, ir.IntType(32)(0))
 
 
-@intrinsic
-def _eliminate(typingctx, rows, k, factors):
-    def generate(context, builder, signature, arguments):
-        row, number = _matrix(context, builder, signature.args[0], arguments[0])
-        count = builder.extract_value(
-            context.make_array(signature.args[0])(context, builder, arguments[0]).shape, 0
+@in_lanes(multiply, lambda rows, i, j, k: types.void(rows, types.intp, types.intp, types.intp))
+def _(context, builder, signature, arguments):
+    row, number = _matrix(context, builder, signature.args[0], arguments[0])
+    out, a, b = map(row, arguments[1:])
+    with cgutils.for_range(builder, number) as loop:
+        product = builder.fmul(_load(builder, a, loop.index), _load(builder, b, loop.index))
+        _store(builder, product, out, loop.index)
+    return context.get_dummy_value()
+
+
+@in_lanes(
+    project,
+    lambda rows, i, j, a: types.void(
+        rows, types.intp, types.intp, types.UniTuple(types.float64, 3)
+    ),
+)
+def _(context, builder, signature, arguments):
+    row, number = _matrix(context, builder, signature.args[0], arguments[0])
+    out, first = row(arguments[1]), arguments[2]
+    e = [row(builder.add(first, first.type(c))) for c in range(3)]
+    factors = [_every(builder, x) for x in cgutils.unpack_tuple(builder, arguments[3])]
+    with cgutils.for_range(builder, number) as loop:
+        x, y, z = (
+            builder.fmul(factor, _load(builder, component, loop.index))
+            for factor, component in zip(factors, e)
         )
-        factor = context.make_array(signature.args[2])(context, builder, arguments[2]).data
-        k, size = arguments[1], number.type(LANES)
-        start, after = builder.udiv(k, size), builder.add(k, k.type(1))
-        with cgutils.for_range_slice(builder, start, number, start.type(1)) as (b, _):
-            pivot = _load(builder, row(k), b)
-            right = builder.mul(builder.add(b, b.type(1)), size)
-            end = builder.select(builder.icmp_unsigned("<", right, count), right, count)
-            with cgutils.for_range_slice(builder, after, end, after.type(1)) as (i, _):
-                x = _every(builder, builder.load(builder.gep(factor, [i])))
-                value = builder.fsub(_load(builder, row(i), b), builder.fmul(x, pivot))
-                _store(builder, value, row(i), b)
-        return context.get_dummy_value()
-
-    return types.void(rows, types.intp, factors), generate
+        _store(builder, builder.fadd(builder.fadd(x, y), z), out, loop.index)
+    return context.get_dummy_value()
 
 
-@overload(dot)
-def _(rows, i, j):
-    return (lambda rows, i, j: _dot(rows, i, j)) if _is_matrix(rows) else None
-
-
-@overload(multiply)
-def _(rows, i, j, k):
-    return (lambda rows, i, j, k: _multiply(rows, i, j, k)) if _is_matrix(rows) else None
-
-
-@overload(project)
-def _(rows, i, j, a):
-    return (lambda rows, i, j, a: _project(rows, i, j, a)) if _is_matrix(rows) else None
-
-
-@overload(eliminate)
-def _(rows, k, factors):
-    return (lambda rows, k, factors: _eliminate(rows, k, factors)) if _is_matrix(rows) else None
+@in_lanes(eliminate, lambda rows, k, factors: types.void(rows, types.intp, factors))
+def _(context, builder, signature, arguments):
+    row, number = _matrix(context, builder, signature.args[0], arguments[0])
+    count = builder.extract_value(
+        context.make_array(signature.args[0])(context, builder, arguments[0]).shape, 0
+    )
+    factor = context.make_array(signature.args[2])(context, builder, arguments[2]).data
+    k, size = arguments[1], number.type(LANES)
+    start, after = builder.udiv(k, size), builder.add(k, k.type(1))
+    with cgutils.for_range_slice(builder, start, number, start.type(1)) as (b, _):
+        pivot = _load(builder, row(k), b)
+        right = builder.mul(builder.add(b, b.type(1)), size)
+        end = builder.select(builder.icmp_unsigned("<", right, count), right, count)
+        with cgutils.for_range_slice(builder, after, end, after.type(1)) as (i, _):
+            x = _every(builder, builder.load(builder.gep(factor, [i])))
+            value = builder.fsub(_load(builder, row(i), b), builder.fmul(x, pivot))
+            _store(builder, value, row(i), b)
+    return context.get_dummy_value()
