@@ -32,6 +32,7 @@ include: "workflow/rules/estimators.smk"
 include: "workflow/rules/adaptive.smk"
 include: "workflow/rules/frontier.smk"
 include: "workflow/rules/benchmark.smk"
+include: "workflow/rules/conformance.smk"
 
 
 rule all:

@@ -1,4 +1,4 @@
-"""Catalogues of estimators, peers and surfaces: the listing of a folder, one file each."""
+"""Catalogues of estimators, peers, library functions, surfaces: the files of a folder each."""
 
 import importlib
 import importlib.util
@@ -215,6 +215,7 @@ def _in_one_line(error):
 
 estimators = Catalogue("estimator", "estimators", "estimate")
 peers = Catalogue("peer", "peers", "returned", "estimate")
+libraries = Catalogue("library function", "libraries", "LABEL", "values")
 surfaces = Catalogue("surface", "surfaces", "LABEL", "build")
 implicit = Catalogue("implicit surface", "implicit", "LABEL", "level")
 families = Catalogue("family", "families", "LABEL", "make")
