@@ -19,9 +19,7 @@ def code_of_conformance(wildcards):
 rule conformance:
     output:
         table=study.results / "benchmark/tables/conformance.csv",
-        figures=[
-            study.results / f"benchmark/figures/conformance.{kind}" for kind in ("svg", "png")
-        ],
+        figures=[study.results / f"benchmark/figures/conformance.{kind}" for kind in ("svg", "png")],
         page=study.results / "benchmark/is-my-library-right.md",
     log:
         study.results / "logs/conformance.log",
