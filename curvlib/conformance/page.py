@@ -23,11 +23,15 @@ def page(table) -> str:
     functions, libraries = ran.function.nunique(), ran.library.nunique()
     parts = [
         "# Is my library right?",
-        f"What {functions} functions of {libraries} libraries return, as they are installed here, "
-        "checked against what a user of curvature values relies on. A ✗ is no verdict on a "
-        "library: many are documented, and a choice. It says what to do before values are compared "
-        f"with others. ✓ holds, ✗ does not, {MARKS['not applicable']} says nothing about this "
-        "function.",
+        " ".join(
+            (
+                f"What {functions} functions of {libraries} libraries return, as they are",
+                "installed here, checked against what a user of curvature values relies on. A ✗ is no",
+                "verdict on a library: many are documented, and a choice. It says what to do before values",
+                f"are compared with others. ✓ holds, ✗ does not, {MARKS['not applicable']} says",
+                "nothing about this function.",
+            )
+        ),
         _matrix(ran),
         "## What is checked",
         "\n".join(f"* **{name}**: {_first(check)}" for name, check in CHECKS.items()),
