@@ -26,10 +26,10 @@ def page(table) -> str:
         " ".join(
             (
                 f"What {functions} functions of {libraries} libraries return, as they are",
-                "installed here, checked against what a user of curvature values relies on. A ✗ is no",
-                "verdict on a library: many are documented, and a choice. It says what to do before values",
-                f"are compared with others. ✓ holds, ✗ does not, {MARKS['not applicable']} says",
-                "nothing about this function.",
+                "installed here, checked against what a user of curvature values relies on.",
+                "A ✗ is no verdict on a library: many are documented, a choice. It says what to",
+                "do before values are compared with others. ✓ holds, ✗ does not,",
+                f"{MARKS['not applicable']} says nothing about this function.",
             )
         ),
         _matrix(ran),
