@@ -194,7 +194,7 @@ def test_the_page_and_the_figure_are_made_from_the_table(planted, tmp_path):
     assert "| isolated vertex | ends the process: SIGABRT | ask |" in words
     assert "scaling: “The integral of K.”" in words
     assert "Nothing: all that is checked holds." in words.split("gauss_bonnet")[-1]
-    assert words.count("✗") == 1 + (read.verdict == "fail").sum()
+    assert words.count("✗") == 2 + (read.verdict == "fail").sum()
     axes = conformance_plot(read).axes[0]
     assert len(axes.patches) == len(read)
     assert len(axes.get_yticklabels()) == 3
