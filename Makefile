@@ -1,6 +1,7 @@
 # Two commands: `make` reproduces the whole study, `make test` runs the tests.
 # Both first build .venv from the hash-pinned requirements.lock. `make peers` adds the libraries
-# behind curvlib/peers to it, `make test-peers` tests what these return.
+# behind curvlib/peers to it, `make test-peers` tests what these return. `make wheel` builds sdist
+# and wheel into dist/ and tries the wheel in empty environments.
 
 SHELL := /bin/sh
 PYTHON ?= python3
@@ -11,7 +12,7 @@ ifneq ($(shell mkdir -p "$$HOME/.cache" 2>/dev/null && echo yes),yes)
 export XDG_CACHE_HOME ?= $(CURDIR)/.venv/cache
 endif
 
-.PHONY: study test peers test-peers fuzz lint lock clean
+.PHONY: study test peers test-peers fuzz wheel lint lock clean
 
 study: .venv/ready
 	snakemake
@@ -27,6 +28,10 @@ test-peers: .venv/peers
 # Thousands of meshes with faults at random, others at each run.
 fuzz: .venv/ready
 	CURVLIB_EXAMPLES=3000 pytest tests/estimators/test_fuzz.py
+
+# It asks the package index for what the wheel needs, newest and oldest.
+wheel: .venv/ready
+	python packaging/check.py
 
 lint: .venv/ready
 	ruff check .

@@ -1,0 +1,43 @@
+"""What the package says of itself; `make wheel` builds it, and tries it in empty environments."""
+
+import re
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+
+def test_core_dependencies_are_few_and_bounded_below_alone():
+    assert len(PROJECT["dependencies"]) <= 6
+    for requirement in PROJECT["dependencies"]:
+        assert re.fullmatch(r"[a-z0-9]+>=[0-9.]+", requirement), requirement
+
+
+def test_extras_have_no_upper_bounds():
+    for extra, requirements in PROJECT["optional-dependencies"].items():
+        for requirement in requirements:
+            assert not re.search("<|~=|==|!=", requirement), extra
+
+
+def test_classifiers_begin_with_the_python_that_is_required():
+    claimed = re.findall(r"Python :: (3\.\d+)", "\n".join(PROJECT["classifiers"]))
+    assert PROJECT["requires-python"] == f">={claimed[0]}"
+    assert claimed == sorted(claimed, key=lambda version: int(version.split(".")[1]))
+
+
+def test_addresses_are_marked_as_placeholders():
+    """`.example` is reserved: no such address exists or ever will."""
+    text = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    assert re.search(r"# Placeholders.*\n\[project\.urls\]", text)
+    for address in PROJECT["urls"].values():
+        assert address.startswith("https://curvlib.example/"), address
+
+
+def test_licences_tell_of_all_that_is_no_code_of_ours():
+    told = (ROOT / "LICENSE-third-party").read_text(encoding="utf-8")
+    ours = {".py", ".pyi", ".typed"}
+    for path in (ROOT / "curvlib").rglob("*"):
+        if path.is_file() and path.suffix not in ours and "__pycache__" not in path.parts:
+            name = path.relative_to(ROOT).as_posix()
+            assert name in told or path.name in ("py.typed", "config.schema.yaml"), name
