@@ -1,7 +1,8 @@
 # Two commands: `make` reproduces the whole study, `make test` runs the tests.
 # Both first build .venv from the hash-pinned requirements.lock. `make peers` adds the libraries
 # behind curvlib/peers to it, `make test-peers` tests what these return. `make wheel` builds sdist
-# and wheel into dist/ and tries the wheel in empty environments.
+# and wheel into dist/ and tries the wheel in empty environments. `make docs` makes the documentation,
+# docs/_build/html/index.html.
 
 SHELL := /bin/sh
 PYTHON ?= python3
@@ -12,7 +13,7 @@ ifneq ($(shell mkdir -p "$$HOME/.cache" 2>/dev/null && echo yes),yes)
 export XDG_CACHE_HOME ?= $(CURDIR)/.venv/cache
 endif
 
-.PHONY: study test peers test-peers fuzz wheel lint lock clean
+.PHONY: study test peers test-peers fuzz wheel docs lint lock clean
 
 study: .venv/ready
 	snakemake
@@ -28,6 +29,10 @@ test-peers: .venv/peers
 # Thousands of meshes with faults at random, others at each run.
 fuzz: .venv/ready
 	CURVLIB_EXAMPLES=3000 pytest tests/estimators/test_fuzz.py
+
+# -W: a name or a page that does not exist ends it.
+docs: .venv/docs
+	sphinx-build -q -W --keep-going docs docs/_build/html
 
 # It asks the package index for what the wheel needs, newest and oldest.
 wheel: .venv/ready
@@ -56,15 +61,22 @@ lint: .venv/ready
 		-r requirements-peers.lock
 	touch .venv/peers
 
-# Rewrites the lock files after a change of the dependencies in pyproject.toml. The second holds the
-# packages of the first, too: what is installed on top has to agree with them.
+.venv/docs: .venv/ready requirements-docs.lock
+	uv pip install --quiet --python .venv --require-hashes --compile-bytecode \
+		-r requirements-docs.lock
+	touch .venv/docs
+
+# Rewrites the lock files after a change of the dependencies in pyproject.toml. The second and third
+# hold the packages of the first, too: what is installed on top has to agree with them.
 COMPILE := uv pip compile --quiet --universal --generate-hashes --no-header --no-annotate \
 	--python-version 3.11 pyproject.toml
+EXTRAS := --extra dataset --extra files --extra study --extra test --extra build
 lock: .venv/ready
-	$(COMPILE) --extra dataset --extra files --extra study --extra test --extra build \
-		--output-file requirements.lock
-	$(COMPILE) --all-extras --output-file requirements-peers.lock
+	$(COMPILE) $(EXTRAS) --output-file requirements.lock
+	$(COMPILE) $(EXTRAS) --extra peers --output-file requirements-peers.lock
+	$(COMPILE) $(EXTRAS) --extra docs --output-file requirements-docs.lock
 
 clean:
 	find results data -mindepth 1 ! -name README.md -delete
+	rm -rf docs/_build docs/generated docs/examples dist
 	rm -rf .snakemake

@@ -5,7 +5,11 @@
 report: "workflow/report/workflow.rst"
 
 
-configfile: f"{workflow.basedir}/config/config.yaml"
+# Where this file lies, also where another workflow uses it as a module.
+HOUSE = workflow.current_basedir.get_path_or_uri(secret_free=True)
+
+
+configfile: f"{HOUSE}/config/config.yaml"
 
 
 include: "workflow/rules/common.smk"

@@ -10,10 +10,13 @@ import pytest
 ROOT = Path(__file__).parents[1]
 
 
-@pytest.mark.parametrize("guide", ["README.md", "CONTRIBUTING.md"])
-def test_python_in_the_guide(guide, tmp_path):
+DOCS = [path.relative_to(ROOT).as_posix() for path in sorted(ROOT.glob("docs/[!_g]*/*.md"))]
+
+
+@pytest.mark.parametrize("guides", [["README.md"], ["CONTRIBUTING.md"], ["docs/start.md", *DOCS]])
+def test_python_in_the_guides(guides, tmp_path):
     """Blocks run one after the other; one that begins with `# name.py` is that file."""
-    text = (ROOT / guide).read_text(encoding="utf-8")
+    text = "\n".join((ROOT / guide).read_text(encoding="utf-8") for guide in guides)
     blocks = re.findall(r"```python\n(.*?)```", text, re.S)
     assert blocks
     code = []

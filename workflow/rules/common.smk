@@ -7,7 +7,7 @@ from pathlib import Path
 import yaml
 
 # This checkout's curvlib, here and in the jobs, whatever else is installed.
-sys.path.insert(0, workflow.basedir)
+sys.path.insert(0, HOUSE)
 
 from curvlib.catalogue import estimators, surfaces
 from curvlib.errors import InputError
@@ -22,11 +22,11 @@ from curvlib.study.readings import PAPER_FIGURES, Named, Rows, error_figures, st
 os.environ |= {
     "OMP_NUM_THREADS": "1",
     "OPENBLAS_NUM_THREADS": "1",
-    "PYTHONPATH": os.pathsep.join([workflow.basedir, os.environ.get("PYTHONPATH", "")]),
+    "PYTHONPATH": os.pathsep.join([HOUSE, os.environ.get("PYTHONPATH", "")]),
 }
 
 # The study of config.yaml, which an overlay may not overwrite.
-OWN = yaml.safe_load(Path(workflow.basedir, "config/config.yaml").read_text(encoding="utf-8"))
+OWN = yaml.safe_load(Path(HOUSE, "config/config.yaml").read_text(encoding="utf-8"))
 
 try:
     study = Study(config)
@@ -45,7 +45,7 @@ if workflow.is_main_process and not study.library.exists():
 
 def code(script, *files):
     """A job's parameter that changes when the code behind its script or in `files` does."""
-    return digest(Path(workflow.basedir, "workflow", "scripts", f"{script}.py"), *files)
+    return digest(Path(HOUSE, "workflow", "scripts", f"{script}.py"), *files)
 
 
 # Files outside the package are known to the rules by their stems.
@@ -94,7 +94,7 @@ HOW_FAST = "5. How fast is it?"
 def caption(figure):
     """The caption file of a figure: its own or that of its kind, `error-K` for `error-K-cone`."""
     try:
-        file = captions.found(figure, f"{workflow.basedir}/workflow/report")
+        file = captions.found(figure, f"{HOUSE}/workflow/report")
         captions.read(file)
     except InputError as error:
         sys.exit(f"error: {error}")

@@ -4,7 +4,7 @@ from curvlib import __version__
 from curvlib.dataset.library import nurbs_file
 
 TEMPLATES = [
-    f"{workflow.basedir}/workflow/archive/{name}"
+    f"{HOUSE}/workflow/archive/{name}"
     for name in ("README.md", "CITATION.cff", "croissant.json", "datapackage.json")
 ]
 
@@ -29,9 +29,9 @@ rule dataset:
         files=[study.library / file for mesh in sorted(MESHES) for file in mesh_files(*mesh)],
         nurbs=rules.nurbs.output,
         templates=TEMPLATES,
-        licence=f"{workflow.basedir}/LICENSE-data",
-        citation=f"{workflow.basedir}/CITATION.cff",
-        versions=f"{workflow.basedir}/requirements.lock",
+        licence=f"{HOUSE}/LICENSE-data",
+        citation=f"{HOUSE}/CITATION.cff",
+        versions=f"{HOUSE}/requirements.lock",
     output:
         archive=study.results / f"dataset/curvature-library-{__version__}.zip",
         sums=study.results / "dataset/SHA256SUMS",

@@ -3,7 +3,7 @@
 # one it can be asked for by name, and fails where that lacks what it quotes.
 from curvlib.claims.cell import NINE, SEVEN
 
-ARTICLE = Path(workflow.basedir, "paper/paper.typ")
+ARTICLE = Path(HOUSE, "paper/paper.typ")
 CAPTIONS = Named(
     {figure: caption(figure) for figure in [*PICTURES, *ERROR_FIGURES, *CLAIM_FIGURES]}
 )
@@ -19,7 +19,7 @@ rule paper:
         LIBRARY,
         [file for kind in ("typ", "bib") for file in sorted(ARTICLE.parent.glob(f"*.{kind}"))],
         sorted(set(CAPTIONS.values())),
-        citation=f"{workflow.basedir}/CITATION.cff",
+        citation=f"{HOUSE}/CITATION.cff",
     output:
         reported(study.results / "paper/paper.pdf", HOLDS, "paper"),
     log:

@@ -11,7 +11,7 @@ rule readme:
     conda:
         "../envs/curvlib.yaml"
     params:
-        documents=[f"{workflow.basedir}/{name}" for name in ("README.md", "CHANGELOG.md")],
-        figure=f"{workflow.basedir}/paper/readme-figure.svg",
+        documents=[f"{HOUSE}/{name}" for name in ("README.md", "CHANGELOG.md")],
+        figure=f"{HOUSE}/paper/readme-figure.svg",
     script:
         "../scripts/readme.py"

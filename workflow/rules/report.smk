@@ -1,6 +1,6 @@
 # In: all that the study makes. Out: Snakemake's own report of it, with the answer on its start page,
 # tables as pages and captions in view; one file that needs no network. Not part of `all`.
-REPORT = Path(workflow.basedir, "workflow/report")
+REPORT = Path(HOUSE, "workflow/report")
 
 
 rule table_pages:
