@@ -1,8 +1,13 @@
 """What the package says of itself; `make wheel` builds it, and tries it in empty environments."""
 
+import json
 import re
 import tomllib
 from pathlib import Path
+
+import yaml
+
+import curvlib
 
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -41,3 +46,17 @@ def test_licences_tell_of_all_that_is_no_code_of_ours():
         if path.is_file() and path.suffix not in ours and "__pycache__" not in path.parts:
             name = path.relative_to(ROOT).as_posix()
             assert name in told or path.name in ("py.typed", "config.schema.yaml"), name
+
+
+def test_what_archives_are_told_is_what_the_citation_says():
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    told = json.loads((ROOT / ".zenodo.json").read_text(encoding="utf-8"))
+    assert told["version"] == citation["version"] == curvlib.__version__
+    assert told["publication_date"] == str(citation["date-released"])
+    assert told["title"] == citation["title"]
+    assert told["creators"] == citation["authors"]
+    assert told["license"] == citation["license"][0]
+    (paper,) = citation["references"]
+    assert told["related_identifiers"][0]["identifier"] == paper["doi"]
+    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert f"## {citation['version']} ({citation['date-released']})" in changes

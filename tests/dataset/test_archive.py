@@ -124,6 +124,9 @@ def test_readme(unpacked):
 def test_croissant_is_valid_and_loads_the_table(unpacked):
     found = mlcroissant.Dataset(unpacked / "croissant.json")
     assert found.metadata.ctx.issues.report() == ""
+    assert found.metadata.data_biases
+    assert found.metadata.data_collection.startswith("Computed")
+    assert found.metadata.personal_sensitive_information == ["None."]
     records = pd.DataFrame(found.records("meshes"))
     table = pd.read_csv(unpacked / "meshes.csv")
     assert list(records.columns) == [f"meshes/{name}" for name in table.columns]
