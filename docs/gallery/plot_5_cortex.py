@@ -36,7 +36,7 @@ print(f"gyri (H > 0): {(estimates.H > 0).mean():.0%} of the vertices")
 # %%
 values = estimates.to_polydata()
 plotter = pyvista.Plotter(shape=(1, 2), window_size=(1100, 500))
-for column, (name, limit) in enumerate((("H", 0.3), ("shape_index", 1.0))):
+for column, (name, limit) in enumerate((("H", 0.1), ("shape_index", 1.0))):
     plotter.subplot(0, column)
     plotter.add_mesh(
         values,
@@ -57,5 +57,5 @@ plotter.show()
 # cortex.shape.gii``. The mean over all of the surface, weighted by area:
 print(f"mean H {estimates.integral(estimates.H) / curvlib.check(mesh).area:.4f} per mm")
 print(
-    f"K over all of it: {estimates.integral(estimates.K) / np.pi:.2f} pi, exactly 4 pi for a sphere"
+    f"K over all of it: {estimates.integral(estimates.K) / np.pi:.2f} pi, exactly 4 pi without handles"
 )
