@@ -56,6 +56,4 @@ plotter.show()
 # beside the surface; on the command line ``curvlib estimate cortex.surf.gii --radius 4 -o
 # cortex.shape.gii``. The mean over all of the surface, weighted by area:
 print(f"mean H {estimates.integral(estimates.H) / curvlib.check(mesh).area:.4f} per mm")
-print(
-    f"K over all of it: {estimates.integral(estimates.K) / np.pi:.2f} pi, exactly 4 pi without handles"
-)
+print(f"K over all of it: {estimates.integral(estimates.K) / np.pi:.2f} pi, 4 pi without handles")

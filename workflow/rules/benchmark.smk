@@ -8,7 +8,7 @@ from curvlib.catalogue import families, implicit, peers
 BENCHMARK = study.results / "benchmark"
 
 try:
-    PLAN = Plan(Path(workflow.basedir, study.benchmark))
+    PLAN = Plan(Path(HOUSE, study.benchmark))
 except InputError as error:
     sys.exit(f"error: {error}")
 
@@ -16,9 +16,7 @@ RANKED = [*map(estimators.path, PLAN.estimators), *map(peers.path, PLAN.peers)]
 MESHED = [*map(families.path, PLAN.families), *map(implicit.path, implicit.names())]
 
 
-def tables(*names):
-    """Tables of the benchmark by their names, with _ for -."""
-    return {name.replace("-", "_"): BENCHMARK / f"tables/{name}.csv" for name in names}
+tables = partial(tables_in, BENCHMARK)
 
 
 rule benchmark_errors:

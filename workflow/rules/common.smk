@@ -2,6 +2,7 @@
 import os
 import re
 import sys
+from functools import partial
 from pathlib import Path
 
 import yaml
@@ -77,6 +78,11 @@ def files_of(meshes):
     if ARCHIVED:
         return [study.library]
     return [study.library / mesh_files(*mesh)[0] for mesh in meshes]
+
+
+def tables_in(folder, *names):
+    """The files of tables in a folder of results, by their names with _ for -."""
+    return {name.replace("-", "_"): folder / f"tables/{name}.csv" for name in names}
 
 
 LIBRARY = files_of(MESHES)

@@ -5,11 +5,7 @@ FRONTIER = study.results / "frontier"
 FITS = ("adaptive_fit", "ball_regression", "compact_hermite", "jet")
 # Without them there is nothing to write about.
 FITTED = [estimators.path(name) for name in FITS if name in estimators.names()]
-
-
-def fitted(*tables):
-    """Files of tables by their names, with _ for -."""
-    return {table.replace("-", "_"): FRONTIER / f"tables/{table}.csv" for table in tables}
+fitted = partial(tables_in, FRONTIER)
 
 
 rule fits_accuracy:
