@@ -73,7 +73,7 @@ COMPILE := uv pip compile --quiet --universal --generate-hashes --no-header --no
 EXTRAS := --extra dataset --extra files --extra study --extra test --extra build
 lock: .venv/ready
 	$(COMPILE) $(EXTRAS) --output-file requirements.lock
-	$(COMPILE) $(EXTRAS) --extra peers --output-file requirements-peers.lock
+	$(COMPILE) $(EXTRAS) --extra peers --extra libraries --output-file requirements-peers.lock
 	$(COMPILE) $(EXTRAS) --extra docs --output-file requirements-docs.lock
 
 clean:
