@@ -80,6 +80,13 @@ def files_of(meshes):
     return [study.library / mesh_files(*mesh)[0] for mesh in meshes]
 
 
+def installed_libraries(wildcards):
+    """A job's parameter that changes when a library of curvlib/libraries does."""
+    from curvlib.conformance.cells import versions
+
+    return versions()
+
+
 def tables_in(folder, *names):
     """The files of tables in a folder of results, by their names with _ for -."""
     return {name.replace("-", "_"): folder / f"tables/{name}.csv" for name in names}

@@ -1,19 +1,7 @@
 # In: nothing. Out: functions of the libraries that are installed, and our estimators, against what a
 # user of curvature values relies on: table, matrix and page. Not part of `all`: it depends on what is
 # installed.
-
-
-def installed_libraries(wildcards):
-    """Changes when a library does."""
-    from curvlib.conformance.cells import versions
-
-    return versions()
-
-
-def code_of_conformance(wildcards):
-    from curvlib.catalogue import libraries
-
-    return code("conformance", *map(libraries.path, libraries.names()))
+from curvlib.catalogue import libraries
 
 
 rule conformance:
@@ -27,7 +15,7 @@ rule conformance:
         "../envs/curvlib.yaml"
     threads: workflow.cores
     params:
-        code=code_of_conformance,
+        code=lambda _: code("conformance", *map(libraries.path, libraries.names())),
         libraries=installed_libraries,
     script:
         "../scripts/conformance.py"
