@@ -4,10 +4,15 @@ The unknowns of all vertices are x = b + M x. Sweeps converge from any start if 
 spectral radius of M is below 1.
 """
 
+from typing import Literal
+
 import numpy as np
 import pandas as pd
 
 from curvlib.estimators.compact_hermite import fitted
+from curvlib.estimators.compact_hermite import normals as normals
+from curvlib.kit.compiled import kernel
+from curvlib.kit.vectors import at, dot, tangents
 from curvlib.passes import Passes
 
 # Steps of power iterations; the norm of the last WINDOW of them gives the rate.
@@ -72,6 +77,35 @@ def norm(M, seed: int = 0) -> float:
     return float(np.linalg.norm(M @ x))
 
 
+@kernel
+def moments(disk, normals, rings: Literal[2] = 2):
+    """Means of x^2, x y and y^2 over the neighbours of a vertex, in the frame of its unknowns, in
+    units of the disk's radius."""
+    N = at(normals, 0)
+    X, Y = tangents(N)
+    xx, xy, yy, over = 0.0, 0.0, 0.0, 1 / (disk.count * disk.radius * disk.radius)
+    for i in range(disk.count):
+        e = disk.e[0, i], disk.e[1, i], disk.e[2, i]
+        x, y = dot(e, X), dot(e, Y)
+        xx, xy, yy = xx + x * x * over, xy + x * y * over, yy + y * y * over
+    return xx, xy, yy
+
+
+def in_whitened(M, mesh, threads: int = 1):
+    """D M D^-1: M for unknowns along the axes in which the second moments of the neighbours of each
+    vertex are round. Its spectral radius is that of M; its norms do not see that a mesh is
+    stretched."""
+    from scipy.sparse import block_diag
+
+    xx, xy, yy = Passes(mesh, threads).field(moments)
+    a = np.sqrt(xx)
+    b, c = xy / a, np.sqrt(yy - (xy / a) ** 2)
+    # Slopes along the axes of L, moments being L L^T, are L^T times those along the frame.
+    D = np.moveaxis(np.array([[a, b], [0 * a, c]]) / np.sqrt(a * c), 2, 0)
+    left, right = block_diag(D, format="csr"), block_diag(np.linalg.inv(D), format="csr")
+    return left @ M @ right
+
+
 def bound(M) -> float:
     """An upper bound of the spectral radius that holds whatever the rounding of its iteration.
 
@@ -100,9 +134,9 @@ def bound(M) -> float:
 
 
 def contraction(meshes, threads: int = 1) -> pd.DataFrame:
-    """contraction.csv: of each of some meshes and degree the spectral `radius` of a sweep, its
-    `norm`, the `bound`, the largest `gain` of a vertex (the Frobenius norm of its rows of M) and
-    the part of the vertices that are `coupled`.
+    """contraction.csv: of each of some meshes and degree the spectral `radius` of a sweep; in
+    whitened coordinates its `norm`, the `bound` and the largest `gain` of a vertex (the Frobenius
+    norm of its rows); the part of the vertices that are `coupled`.
 
     Parameters
     ----------
@@ -114,9 +148,10 @@ def contraction(meshes, threads: int = 1) -> pd.DataFrame:
     for (surface, kind, n), mesh in meshes.items():
         for degree in (6, 5, 4):
             M, _, _ = system(mesh, threads=threads, degree=degree)
-            squares = M.multiply(M).sum(axis=1).reshape(-1, 2).sum(1)
             row = {"surface": surface, "kind": kind, "n": n, "degree": degree}
-            row |= {"radius": radius(M), "norm": norm(M), "bound": bound(M)}
+            whitened = in_whitened(M, mesh, threads)
+            row |= {"radius": radius(M), "norm": norm(whitened), "bound": bound(whitened)}
+            squares = whitened.multiply(whitened).sum(axis=1).reshape(-1, 2).sum(1)
             row |= {"gain": np.sqrt(squares.max()), "coupled": (squares > 0).mean()}
             rows.append(row)
     return pd.DataFrame(rows)

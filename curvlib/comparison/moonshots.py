@@ -113,5 +113,5 @@ def moonshots(second, half, contraction, boundary, cost) -> pd.DataFrame:
     worst = half.ratio.max()
     row("noise that jumps", "error over the best pair's", 1.2, worst, worst <= 1.2)
     six = contraction[contraction.degree == 6].bound.max()
-    row("contraction", "bound of degree 6", 1, six, six < 1)
+    row("contraction", "certified bound of degree 6", 1, six, six < 1)
     return pd.DataFrame(rows)

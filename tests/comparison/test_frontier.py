@@ -109,6 +109,16 @@ def test_the_bound_is_one_of_the_radius_on_a_mesh(pear):
     assert contraction.radius(M) <= contraction.norm(M) * (1 + 1e-6)
 
 
+def test_whitening_changes_norms_and_not_the_radius():
+    """On a stretched mesh the bound falls; on no mesh does the spectral radius change."""
+    mesh = held_out("bump", 16, 2, "stretched")
+    M, _, _ = contraction.system(mesh, degree=4)
+    whitened = contraction.in_whitened(M, mesh)
+    both = [np.abs(np.linalg.eigvals(x.toarray())).max() for x in (M, whitened)]
+    assert both[0] == pytest.approx(both[1], rel=1e-6)
+    assert both[0] <= contraction.bound(whitened) < contraction.bound(M)
+
+
 def test_layers(wave):
     found = boundary.layers(wave)
     assert ((found == 0) == wave.boundary).all()
