@@ -40,6 +40,19 @@ def layers(mesh) -> np.ndarray:
     return found
 
 
+def over_square(mesh, threads: int = 1) -> pd.DataFrame:
+    """map.csv: `x`, `y` and the `error` of K of three estimators at the vertices of a graph."""
+    rows = []
+    chosen = [c for c in NEW if str(c) in ("compact_hermite", "jet(degree=6, rings=3)")]
+    calls = [(REFERENCE, principal_axes, {"degree": 4, "rings": 3})]
+    for name, what, options in calls + [(str(c), c.estimator, c.options) for c in chosen]:
+        found = estimate(mesh, what, threads, **options)
+        x, y, _ = mesh.vertices.T
+        error = np.abs(found.K - mesh.K)
+        rows.append(pd.DataFrame({"estimator": name, "x": x, "y": y, "error": error}))
+    return pd.concat(rows, ignore_index=True)
+
+
 def boundary(meshes, threads: int = 1) -> pd.DataFrame:
     """boundary.csv: mean errors by distance from the boundary.
 

@@ -9,12 +9,15 @@ import pandas as pd
 from curvlib.catalogue import estimators, peers
 from curvlib.errors import InputError
 from curvlib.estimation import estimate
+from curvlib.estimators import adaptive_fit, ball_regression, compact_hermite, jet
+from curvlib.meshes import coupling
+from curvlib.meshes.jittered import JITTER, jittered
 from curvlib.meshes.jittered import SURFACES as SEEN
-from curvlib.meshes.jittered import jittered
 from curvlib.meshes.torus import torus
 
+from . import hessians
 from .calls import Call, calls
-from .held_out import KINDS, held_out
+from .held_out import KINDS, STRETCH, held_out
 from .references import principal_axes
 from .survey import errors_on, with_orders
 
@@ -137,3 +140,21 @@ def summary(table) -> pd.DataFrame:
         meshes=("ratio", "size"),
     )
     return found.assign(mean=np.exp(found["mean"])).reset_index()
+
+
+def constants() -> dict:
+    """The constants of the fits that the article names."""
+    return {
+        "slope": compact_hermite.SLOPE,
+        "gain": compact_hermite.GAIN,
+        "sine": jet.SINE,
+        "inner": ball_regression.INNER,
+        "sample": adaptive_fit.SAMPLE,
+        "near": adaptive_fit.NEAR,
+        "tolerance": coupling.TOLERANCE,
+        "sweeps": coupling.SWEEPS,
+        "jitter": JITTER,
+        "stretch": STRETCH,
+        "second": hessians.SECOND,
+        "second_slope": hessians.SLOPE,
+    }

@@ -17,6 +17,7 @@ from curvlib.study.article import EXCERPTS, excerpts, typeset
 
 ROOT = Path(__file__).parents[2]
 ARTICLE = ROOT / "paper/paper.typ"
+ARTICLES = [ARTICLE, ROOT / "paper/frontier.typ"]
 START = ROOT / "workflow/report/workflow.rst"  # of the report, no caption
 CLOSING = {"(": ")", "[": "]", "{": "}"}
 
@@ -97,8 +98,9 @@ def pasted(source):
     return found + [s for s in numbers if not equations.fullmatch(s)]
 
 
-def test_no_number_is_pasted():
-    assert pasted(ARTICLE.read_text()) == []
+@pytest.mark.parametrize("path", ARTICLES, ids=lambda path: path.name)
+def test_no_number_is_pasted(path):
+    assert pasted(path.read_text()) == []
 
 
 @pytest.mark.parametrize(
@@ -237,7 +239,8 @@ def shown(tmp_path):
         path = tmp_path / name
         path.parent.mkdir(exist_ok=True)
         path.write_text(table.lstrip("\n") + "\n")
-    (tmp_path / "results.typ").write_text((ROOT / "paper/results.typ").read_text())
+    for name in ("values.typ", "results.typ"):
+        (tmp_path / name).write_text((ROOT / "paper" / name).read_text())
     values = {
         "labels": {"taubin": "Taubin", "sphere": "Sphere"},
         "surfaces": ["sphere"],

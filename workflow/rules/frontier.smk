@@ -31,6 +31,7 @@ rule fits_parts:
             "boundary",
             "hessians",
             "half",
+            "map",
             "voxel",
         ),
     log:
@@ -77,3 +78,57 @@ rule fits_targets:
         code=code("fits_targets"),
     script:
         "../scripts/fits_targets.py"
+
+
+FITS_DRAWN = ["fits-noise", "fits-order", "fits-cost", "fits-ablation", "fits-map"]
+
+
+rule frontier_figures:
+    input:
+        **{
+            name: FRONTIER / f"tables/{name.replace('_', '-')}.csv"
+            for name in ("accuracy", "cost", "peers", "ablation_jets", "ablation_compact", "map")
+        },
+        adaptive=rules.adaptive.output.table,
+    output:
+        expand(FRONTIER / "figures/{figure}.{kind}", figure=FITS_DRAWN, kind=["svg", "png"]),
+    log:
+        study.results / "logs/frontier_figures.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        figures=FITS_DRAWN,
+        folder=FRONTIER / "figures",
+        code=code("frontier_figures"),
+    script:
+        "../scripts/frontier_figures.py"
+
+
+FRONTIER_ARTICLE = Path(HOUSE, "paper/frontier.typ")
+
+
+rule frontier:
+    input:
+        rules.frontier_figures.output,
+        rules.fits_accuracy.output,
+        rules.fits_cost.output,
+        rules.fits_parts.output,
+        rules.fits_targets.output,
+        rules.adaptive.output,
+        [file for kind in ("typ", "bib") for file in sorted(ARTICLE.parent.glob(f"*.{kind}"))],
+        [caption(figure) for figure in FITS_DRAWN],
+        citation=f"{HOUSE}/CITATION.cff",
+    output:
+        study.results / "paper/frontier.pdf",
+    log:
+        study.results / "logs/frontier.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        article=FRONTIER_ARTICLE,
+        results=study.results,
+        captions=Named({figure: caption(figure) for figure in FITS_DRAWN}),
+        resolutions=study.frontier,
+        code=code("frontier"),
+    script:
+        "../scripts/frontier.py"

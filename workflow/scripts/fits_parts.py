@@ -1,7 +1,7 @@
 """Measure what each part of the fits is worth, where they fail, and what lies beyond them."""
 
 from curvlib.comparison.ablation import compact, jets
-from curvlib.comparison.boundary import boundary
+from curvlib.comparison.boundary import boundary, over_square
 from curvlib.comparison.contraction import contraction
 from curvlib.comparison.frontier import on
 from curvlib.comparison.held_out import CLOSED, KINDS
@@ -21,6 +21,8 @@ with logged(snakemake.log[0]):
     tables["boundary"] = boundary(on(opened, few[1:] or few))
     round_ones = [("torus", "jittered"), ("pear", "jittered"), ("blob", "jittered")]
     tables["hessians"] = seconds(on(round_ones, few[1:] or few))
+    (shown,) = on([("wave", "jittered")], [n]).values()
+    tables["map"] = over_square(shown)
     tables["half"] = halves(on([("pear", "jittered"), ("bump", "jittered")], [n]), (0.01, 0.05), n)
     tables["voxel"] = voxels(list(SPHERES) if n >= 50 else list(SPHERES)[:1])
     for name, table in tables.items():
