@@ -14,6 +14,8 @@ except InputError as error:
 
 RANKED = [*map(estimators.path, PLAN.estimators), *map(peers.path, PLAN.peers)]
 MESHED = [*map(families.path, PLAN.families), *map(implicit.path, implicit.names())]
+VOTED = {"adaptive_fit", "ball_regression", "tensor_voting"} & set(estimators.names())
+VOTED = [*map(estimators.path, sorted(VOTED)), peers.path("vtk_curvatures")]
 
 
 tables = partial(tables_in, BENCHMARK)
@@ -92,7 +94,23 @@ rule benchmark_pages:
         "../scripts/benchmark_pages.py"
 
 
+rule claims_2020:
+    input:
+        PLAN.path,
+    output:
+        **tables("claims-2020", "claims-2020-sentences"),
+    log:
+        BENCHMARK / "logs/claims_2020.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        code=code("claims_2020", *VOTED),
+    script:
+        "../scripts/claims_2020.py"
+
+
 rule benchmark:
     input:
+        rules.claims_2020.output,
         rules.benchmark_tables.output,
         rules.benchmark_pages.output,
