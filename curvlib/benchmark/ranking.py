@@ -7,7 +7,7 @@ from .errors import MESH, NORMS
 
 MESHES = list(MESH)
 # An estimator with values at fewer of the vertices has no rank on a mesh.
-COMPLETE = 0.95
+COMPLETE = 0.9
 # Scaled errors up to this are as good as none: a millionth of the largest curvature.
 LEAST = 1e-6
 # Errors up to this many times the best count as a win.
@@ -32,7 +32,7 @@ def ranked(errors: pd.DataFrame, groups) -> pd.DataFrame:
         anyone has a value; `wins`: the part of them where its mean error is within 10 % of the
         best; `rank` by `over_best`; `rank_median`, `rank_q95`, `rank_max` likewise by these norms;
         `rank_wins`; and `rank_low`, `rank_high`: the least and largest of these and of the ranks
-        without each one of the surfaces. Only estimators with values at 95 % of the vertices of all
+        without each one of the surfaces. Only estimators with values at 90 % of the vertices of all
         meshes have ranks. Scaled errors are raised to 1e-6.
     """
     rows = []

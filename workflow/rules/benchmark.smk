@@ -14,6 +14,8 @@ except InputError as error:
 
 RANKED = [*map(estimators.path, PLAN.estimators), *map(peers.path, PLAN.peers)]
 MESHED = [*map(families.path, PLAN.families), *map(implicit.path, implicit.names())]
+# Of the families those whose errors are drawn against n.
+DRAWN = ("jittered", "random", "marching_cubes", "voxels")
 VOTED = {"adaptive_fit", "ball_regression", "tensor_voting"} & set(estimators.names())
 VOTED = [*map(estimators.path, sorted(VOTED)), peers.path("vtk_curvatures")]
 
@@ -94,6 +96,34 @@ rule benchmark_pages:
         "../scripts/benchmark_pages.py"
 
 
+def pictures(name):
+    return [BENCHMARK / f"figures/{name}.{kind}" for kind in ("svg", "png")]
+
+
+rule benchmark_plots:
+    input:
+        errors=rules.benchmark_tables.output.errors,
+        situations=rules.benchmark_tables.output.situations,
+        cost=rules.benchmark_cost.output.cost,
+    output:
+        matrix=pictures("ranks"),
+        cost_K=pictures("error-against-cost-K"),
+        cost_H=pictures("error-against-cost-H"),
+        noise=pictures("noise"),
+        order=pictures("order"),
+    log:
+        BENCHMARK / "logs/plots.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        # As many as stand side by side.
+        kinds=PLAN.noise["kinds"][:3],
+        families=[name for name in DRAWN if name in PLAN.families],
+        code=code("benchmark_plots", *MESHED),
+    script:
+        "../scripts/benchmark_plots.py"
+
+
 rule claims_2020:
     input:
         PLAN.path,
@@ -111,6 +141,7 @@ rule claims_2020:
 
 rule benchmark:
     input:
+        rules.benchmark_plots.output,
         rules.claims_2020.output,
         rules.benchmark_tables.output,
         rules.benchmark_pages.output,
