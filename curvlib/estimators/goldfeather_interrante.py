@@ -14,6 +14,11 @@ LABEL = "Goldfeather-Interrante"
 SOURCE = "https://doi.org/10.1145/966131.966134"
 STYLE = {"color": "#117733", "marker": "d", "linestyle": "-"}
 
+# Cosines of the angle to the vertex's normal from which on a neighbour has all of its weight, 60
+# degrees, and down to which it has some, 84 degrees. A slope is 10 at most, and no rounding of a
+# right angle decides whether there is one.
+FULL, STEEP = 0.5, 0.1
+
 
 @kernel
 def estimate(disk, normals):
@@ -41,8 +46,8 @@ def estimate(disk, normals):
     -----
     Each neighbour gives three equations: z, and the slopes -N_x / N_z and -N_y / N_z along x and y.
     Lengths are in units of the longest edge, so that the weight of slopes beside z does not depend
-    on the scale. Neighbours without a normal or with one that is turned by 90 degrees or more are
-    left out.
+    on the scale. Neighbours without a normal are left out; the weight of others falls from 1, where
+    their normal is turned by up to 60 degrees, to 0 at 84 degrees.
 
     Order: O(h^2) on any mesh with exact normals, as for other fits of degree 3 (Cazals and Pouget
     2005). The normals of triangles are O(h) off on irregular meshes, where the error does not
@@ -64,10 +69,10 @@ def estimate(disk, normals):
         for c in range(3):
             component = normals[c, 1 + i]
             x, y, along = x + component * X[c], y + component * Y[c], along + component * N[c]
-        if along > 0:
-            rows[p, i], rows[q, i] = -x / along, -y / along
-        else:
-            weights[i] = 0.0
+        weight = min((along - STEEP) / (FULL - STEEP), 1.0) if along > STEEP else 0.0
+        weights[i] = weight
+        if weight > 0:
+            rows[p, i], rows[q, i] = -weight * x / along, -weight * y / along
     monomials(disk, X, Y, N, 3)
     multiply(rows, z, z, 3)
     moments = part(space, 0, (MOMENTS,))

@@ -20,6 +20,10 @@ ONE, HEIGHT, NEAR, WEIGHT, WEIGHTED, RESIDUAL, SORTED = 3, 20, 21, 22, 23, 24, 2
 # The scale of residuals is at least this, in the unit of the rows: a part of a grid may lie on a
 # quadric but for rounding, also to float32.
 LEAST = 1e-6
+# Points on two parallel lines, or on two that cross, determine by rounding alone how a quadric
+# bends between them. Its slope changes by at most this over the standard deviation of the points,
+# lengths being in the unit of the rows.
+BENT = 2.0
 ABSOLUTE, ROUNDS = 6, 20  # the most fits with new weights; most quadrics stand still after ten
 
 
@@ -80,7 +84,8 @@ def fit_weighted(disk, quadric):
     Returns
     -------
     bool
-        Whether it is determined, as in `solve`; else nothing is changed.
+        Whether it is determined, as in `solve`, and turns by no more than BENT over the points;
+        else nothing is changed.
     """
     rows, space, last = disk.rows, disk.space, UNKNOWNS - 1
     multiply(rows, WEIGHTED, WEIGHT, HEIGHT)
@@ -92,12 +97,26 @@ def fit_weighted(disk, quadric):
     set_matrix(system, moments, last)
     for i in range(UNKNOWNS):
         system[i, UNKNOWNS] = dot(rows, WEIGHTED, ONE + last - i)
-    determined = solve(system, UNKNOWNS, work)
+    determined = solve(system, UNKNOWNS, work) and _bend(system, moments) <= BENT
     if determined:
         for i in range(UNKNOWNS):
             quadric[i] = system[last - i, UNKNOWNS]
         set_residuals(disk, quadric)
     return determined
+
+
+@kernel
+def _bend(system, moments):
+    """The largest second derivative of a solution, in coordinates in which the second moments of x
+    and y are the unit matrix."""
+    weight = moments[0]
+    r, s, t = 2 * system[2, UNKNOWNS], system[1, UNKNOWNS], 2 * system[0, UNKNOWNS]
+    xx, xy, yy = moments[3] / weight, moments[4] / weight, moments[5] / weight
+    a = np.sqrt(xx)
+    b = xy / a
+    c = np.sqrt(max(yy - b * b, 0.0))
+    of_uu, of_uv, of_vv = a * a * r + 2 * a * b * s + b * b * t, (a * s + b * t) * c, c * c * t
+    return max(abs(of_uu), abs(of_uv), abs(of_vv))
 
 
 @kernel
