@@ -8,6 +8,8 @@ from .errors import MeshWarning
 
 # What estimators are given that need a disk or half-disk instead of a ring.
 DISKS = ("disk", "ball", "passes")
+# A triangle's cause or a vertex's: its position, or that of a corner of its triangles.
+NOWHERE = "position that is not finite"
 
 
 def _stars(mesh, given):
@@ -21,12 +23,17 @@ def _stars(mesh, given):
     return stars != BROKEN, stars == CLOSED
 
 
-def causes_at_triangles(mesh, lacking):
-    """Cause -> number of the triangles `lacking` (F,) bool a value."""
-    a, b, c = mesh.vertices[mesh.faces].transpose(1, 0, 2)
+def causes_at_triangles(mesh, lacking, used):
+    """Cause -> number of the triangles `lacking` (F,) bool a value; `used`: the mesh that was
+    estimated on, with triangles left out."""
+    a, b, c = used.vertices[used.faces].transpose(1, 0, 2)
     flat = ~(np.cross(b - a, c - a) != 0).any(1)
+    nowhere = np.zeros_like(lacking) if mesh.left_out is None else mesh.left_out
+    again = (nowhere if used.left_out is None else used.left_out) & ~nowhere
     return {
-        "triangle without area": (lacking & flat).sum(),
+        NOWHERE: (lacking & nowhere).sum(),
+        "triangle that is there again": (lacking & again).sum(),
+        "triangle without area": (lacking & flat & ~nowhere & ~again).sum(),
         "no finite value": (lacking & ~flat).sum(),
     }
 
@@ -38,7 +45,12 @@ def causes_at_vertices(mesh, lacking, given, index=None):
     usable, boundary = _stars(mesh, given)[0], mesh.boundary
     if index is not None:
         used, usable, boundary = used[index], usable[index], boundary[index]
-    causes = {"no triangle": (lacking & ~used).sum()}
+    causes = {}
+    if mesh.concerned is not None:
+        beside = mesh.concerned & ~(usable & used)
+        causes[NOWHERE] = (lacking & beside).sum()
+        lacking = lacking & ~beside
+    causes["no triangle"] = (lacking & ~used).sum()
     open_ = lacking & used & ~usable
     if given in DISKS:
         causes["triangles that form no disk or half-disk"] = open_.sum()
@@ -54,17 +66,26 @@ def joined(mesh, given):
 
     `given`: what the estimator is given.
     """
-    loose = mesh.vertices[~_stars(mesh, given)[1]]
-    if len(np.unique(loose, axis=0)) == len(loose):
-        return mesh, None
-    from .meshes.mend import weld
+    from .meshes.mend import once, weld
 
+    if mesh.concerned is not None:
+        nowhere = np.count_nonzero(np.isnan(mesh.vertices[:, 0]))
+        _warn(
+            f"{nowhere} of {len(mesh.vertices)} vertices have a position that is not finite: left "
+            f"out, and {np.count_nonzero(mesh.left_out)} triangles at them"
+        )
+    loose = ~_stars(mesh, given)[1]
+    points = mesh.vertices[loose]
+    _, _, again = once(mesh, loose)
+    if not again and len(np.unique(points, axis=0)) == len(points):
+        return mesh, None
     welded, index = weld(mesh)
     count = np.count_nonzero(index != np.arange(len(index)))
-    if not count:
-        return mesh, None
-    _warn(f"{count} of {len(index)} vertices stand where another one does: joined to it")
-    return welded, index
+    if again:
+        _warn(f"{again} of {len(mesh.faces)} triangles are there again: left out")
+    if count:
+        _warn(f"{count} of {len(index)} vertices stand where another one does: joined to it")
+    return (welded, index) if again or count else (mesh, None)
 
 
 def warn_of_undefined(mesh, given: str, index=None) -> None:

@@ -42,6 +42,9 @@ class Estimates:
         The quantities that the estimator returns; others follow from K and H, or are undefined.
     mesh : Mesh
         On whose vertices the values are.
+    used : Mesh
+        That of the estimate: with points joined that stand at one place, and without triangles that
+        are there again.
     per : str
         "vertex", or "face" for values at the triangles' centres: then V counts triangles.
     undefined : dict
@@ -75,7 +78,7 @@ class Estimates:
         """`found`: the arrays that the estimator returned, by name; `given`: what it was given;
         `welded` and `index`: as `curvlib.weld` returns them, where `mesh` has been welded."""
         self.mesh, self.per = mesh, per
-        self._mesh, self._given, self._index = mesh if welded is None else welded, given, index
+        self.used, self._given, self._index = mesh if welded is None else welded, given, index
         if index is not None and per == "vertex":
             found = {name: values[index] for name, values in found.items()}
             choice = choice and choice._replace(index=choice.index[index])
@@ -161,7 +164,7 @@ class Estimates:
         """
         from .regions import integral
 
-        return integral(self.mesh, values, self.per)
+        return integral(self.used, values, self.per)
 
     @cached_property
     def undefined(self) -> dict[str, int]:
@@ -177,9 +180,9 @@ class Estimates:
             else:
                 lacking |= np.isnan(values)
         if self.per == "face":
-            causes = causes_at_triangles(self._mesh, lacking)
+            causes = causes_at_triangles(self.mesh, lacking, self.used)
         else:
-            causes = causes_at_vertices(self._mesh, lacking, self._given, self._index)
+            causes = causes_at_vertices(self.used, lacking, self._given, self._index)
         causes["umbilic, without d1 and d2"] = (undirected & ~lacking).sum()
         return {cause: int(n) for cause, n in causes.items() if n}
 

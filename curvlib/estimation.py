@@ -39,6 +39,7 @@ def estimate(mesh, estimator=None, threads: int = 1, per: str = "vertex", **opti
         an object that pyvista wraps into a triangle mesh. Its point normals are the exact normals
         of `normal="exact"`. Points that stand at one place, as readers leave them that split
         corners, are joined for the estimate as `curvlib.weld` does; values are at all of them.
+        Triangles at positions that are not finite, and those that are there again, are left out.
     estimator : str, path, callable, or a list of them
         By default `adaptive_fit`, with options `quadric`, and `tensor_voting` per face. A name in
         `curvlib.estimators()` or, for that of another library, in `curvlib.peers()`; the path of a
@@ -69,8 +70,8 @@ def estimate(mesh, estimator=None, threads: int = 1, per: str = "vertex", **opti
     Warns
     -----
     MeshWarning
-        More than half of the vertices have no value, some vertices are joined, or float32
-        coordinates are coarse beside the edges.
+        More than half of the vertices have no value, some vertices are joined, triangles are left
+        out, or float32 coordinates are coarse beside the edges.
 
     Examples
     --------

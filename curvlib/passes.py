@@ -104,6 +104,11 @@ class Passes:
 def _of_mesh(mesh, task):
     """What an estimator of the mesh returns; InputError where a library is missing that its file
     says it requires."""
+    if mesh.left_out is not None and task.per == "vertex":
+        # Other libraries know no triangles without corners and no positions that are not finite.
+        position = mesh.vertices[mesh.faces[np.argmin(mesh.left_out), 0]]
+        places = np.where(np.isnan(mesh.vertices), position, mesh.vertices)
+        mesh = Mesh(places, mesh.faces[~mesh.left_out], copy=False, normals=mesh.normals)
     try:
         return task.function(mesh, **task.arguments(mesh))
     except ImportError as error:

@@ -199,7 +199,7 @@ def _run(path, names, out, png, per, columns, by, options):
 
         column, values = first
         up = options["up"] or ("y" if Path(path).suffix.lower() in Y_UP else "z")
-        picture(png, mesh, values, per, column, up)
+        picture(png, found.used, values, per, column, up)
     told["written"] = [where for where in (out, png) if where]
     if told["written"]:
         say(f"  written: {', '.join(told['written'])}")

@@ -13,7 +13,12 @@ UNITS = {
     **dict.fromkeys((".gii", ".pial", ".white", ".smoothwm", ".orig", ".inflated"), "millimetres"),
 }
 # Faults of the file as it stands; the others are of the mesh with its points joined.
-OF_VERTICES = ("vertices that stand where another does", "vertices without a triangle")
+OF_FILE = (
+    "vertices that stand where another does",
+    "vertices without a triangle",
+    "vertices whose position is not finite",
+    "triangles that are there again",
+)
 
 
 @click.command()
@@ -26,11 +31,11 @@ def command(mesh, as_json):
     with told_warnings() as warnings:
         read = curvlib.read(mesh)
         found = joined = curvlib.check(read)
-        if any(fault.name == OF_VERTICES[0] for fault in found.faults):
+        if any(fault.name == OF_FILE[0] for fault in found.faults):
             # A soup of triangles is judged as what it becomes once its points are joined.
             joined = curvlib.check(curvlib.weld(read)[0])
-    faults = [fault for fault in found.faults if fault.name in OF_VERTICES]
-    faults += [fault for fault in joined.faults if fault.name not in OF_VERTICES]
+    faults = [fault for fault in found.faults if fault.name in OF_FILE]
+    faults += [fault for fault in joined.faults if fault.name not in OF_FILE]
     size = joined.high - joined.low
     unit = _unit(mesh, max(size))
     advice, why = _advice(mesh, faults, joined)

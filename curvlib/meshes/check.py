@@ -6,9 +6,9 @@ import numpy as np
 
 from curvlib.kit.ring import FLAT, ROUNDING
 
-from .mend import Edges, orient, weld
+from .mend import Edges, once, orient, weld
 from .mesh import Mesh
-from .neighbourhoods import BROKEN
+from .neighbourhoods import BROKEN, CLOSED
 from .roughness import noise, staircase
 
 SLIVER = 1.0  # degrees: a triangle with a smaller angle
@@ -84,6 +84,7 @@ def check(mesh: Mesh) -> Report:
     >>> [(fault.name, fault.count) for fault in report.faults]
     [('vertices without a triangle', 1)]
     """
+    given, (mesh, _, _) = mesh, once(mesh, mesh.find_adjacency().stars != CLOSED)
     edges = Edges(mesh.faces)
     used = np.zeros(len(mesh.vertices), dtype=bool)
     used[mesh.faces] = True
@@ -125,15 +126,28 @@ def check(mesh: Mesh) -> Report:
         staircase=staircase(ends[:, 1] - ends[:, 0], rough),
         faults=[
             fault
-            for fault in _faults(mesh, edges, uses, used, stars, corners, facets)
+            for fault in _faults(given, mesh, edges, uses, used, stars, corners, facets)
             if fault.count
         ],
     )
 
 
-def _faults(mesh, edges, uses, used, stars, corners, facets):
-    """Yield each kind of Fault, with those of no count."""
-    _, index = weld(mesh)
+def _faults(given, mesh, edges, uses, used, stars, corners, facets):
+    """Yield each kind of Fault, with those of no count; `mesh` is the one that is `given` without
+    triangles that are there again."""
+    nowhere, none = np.isnan(mesh.vertices[:, 0]), np.zeros(len(mesh.faces), dtype=bool)
+    yield _fault(
+        "vertices whose position is not finite",
+        "vertices",
+        nowhere,
+        "have no value; left out, and triangles at them",
+    )
+    gone = none if mesh.left_out is None else mesh.left_out
+    again = gone if given.left_out is None else gone & ~given.left_out
+    every = "; every one is there twice" if len(again) == 2 * again.sum() else ""
+    words = f"left out, whichever side they face{every}"
+    yield _fault("triangles that are there again", "triangles", again, words)
+    _, index = weld(given)
     joined = np.flatnonzero(index != np.arange(len(index)))
     yield Fault(
         "vertices that stand where another does",
@@ -142,7 +156,7 @@ def _faults(mesh, edges, uses, used, stars, corners, facets):
         joined,
         "joined for an estimate; curvlib.weld joins them in the mesh",
     )
-    yield _fault("vertices without a triangle", "vertices", ~used, "have no value")
+    yield _fault("vertices without a triangle", "vertices", ~used & ~nowhere, "have no value")
     many = edges.ends[uses > 2]
     yield Fault(
         "edges of more than two triangles",
@@ -179,15 +193,7 @@ def _faults(mesh, edges, uses, used, stars, corners, facets):
         "H has the other sign: curvlib.orient, or --orient",
     )
     twice = edges.edge[::3] < 0
-    yield _fault("triangles that name a vertex twice", "triangles", twice, "left out")
-    ordered = np.sort(mesh.faces, axis=1)
-    _, number, counts = np.unique(ordered, axis=0, return_inverse=True, return_counts=True)
-    yield _fault(
-        "triangles that are there more than once",
-        "triangles",
-        (counts[number.reshape(-1)] > 1) & ~twice,
-        "their vertices have no value: remove all but one",
-    )
+    yield _fault("triangles that name a vertex twice", "triangles", twice & ~gone, "left out")
     sides = corners - np.roll(corners, 1, axis=1)
     squares = (sides * sides).sum(2)
     total, double = squares.sum(1), np.sqrt((facets * facets).sum(1))

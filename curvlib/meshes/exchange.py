@@ -145,7 +145,7 @@ def _warn_of_coarse_coordinates(given, mesh):
         return
     some = mesh.vertices[mesh.faces[:: 1 + len(mesh.faces) // 1000]]
     edge = np.sqrt(((some - np.roll(some, 1, axis=1)) ** 2).sum(-1).mean())
-    step = float(np.spacing(np.abs(given).max()))
+    step = float(np.spacing(np.float32(np.nanmax(np.abs(mesh.vertices)))))
     if step > COARSE * edge:
         warnings.warn(
             f"vertices: float32 coordinates of this size are multiples of {step:.2g}, but edges "

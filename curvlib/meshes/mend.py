@@ -6,6 +6,7 @@ from curvlib.errors import InputError
 
 from .mesh import Mesh
 from .neighbourhoods import BROKEN, CLOSED
+from .sound import repeated
 
 
 def weld(mesh: Mesh, distance: float = 0.0) -> tuple[Mesh, np.ndarray]:
@@ -14,7 +15,8 @@ def weld(mesh: Mesh, distance: float = 0.0) -> tuple[Mesh, np.ndarray]:
     Only vertices whose triangles do not close to a ring are joined, and only to others of which
     that is true: closed sheets that touch stay apart. Where the triangles would form neither a disk
     nor a half-disk together, but do so apart, corners are joined of triangles that agree over an
-    edge of two.
+    edge of two. Of triangles that are there more than once, whichever side they face, all but the
+    first are left out: they name one vertex three times.
 
     Parameters
     ----------
@@ -48,6 +50,7 @@ def weld(mesh: Mesh, distance: float = 0.0) -> tuple[Mesh, np.ndarray]:
     """
     if not 0 <= distance < np.inf:
         raise InputError(f"distance: {distance!r} is not a length of at least 0")
+    mesh, first, _ = once(mesh, mesh.find_adjacency().stars != CLOSED)
     stars = mesh.find_adjacency().stars
     used = np.zeros(len(mesh.vertices), dtype=bool)
     used[mesh.faces] = True
@@ -58,13 +61,33 @@ def weld(mesh: Mesh, distance: float = 0.0) -> tuple[Mesh, np.ndarray]:
     several = np.bincount(index, minlength=len(index))[index[loose]] > 1
     spoiled = several & (new == BROKEN) & (stars[loose] != BROKEN)
     if not spoiled.any():
-        return welded, index
+        return welded, index[first]
     # Elsewhere nothing changes, lest one fault leave its neighbours with two slits, theirs too.
     spoiled = np.isin(groups, groups[spoiled])
     fans = _fans(mesh, welded, index, np.isin(np.arange(len(index)), loose[spoiled]))
     groups[spoiled] = groups.max() + 1 + fans[loose[spoiled]]
     index, welded = _joined(mesh, loose, groups)
-    return welded, index
+    return welded, index[first]
+
+
+def once(mesh, loose):
+    """A mesh without the triangles that are there again, the index of `repeated`, and how many they
+    are. `loose` (V,) bool: where triangles do not close to one ring."""
+    again, index = repeated(mesh.vertices, mesh.faces, loose)
+    count = np.count_nonzero(again)
+    if count:
+        faces = index[mesh.faces]
+        faces[again] = faces[again, :1]
+        mesh = _remade(mesh, faces, mesh.normals)
+        mesh.left_out = again if mesh.left_out is None else again | mesh.left_out
+    return mesh, index, count
+
+
+def _remade(mesh, faces, normals):
+    """The mesh with other faces, of which the same are left out."""
+    made = Mesh(mesh.vertices, faces, copy=False, normals=normals)
+    made.concerned, made.left_out = mesh.concerned, mesh.left_out
+    return made
 
 
 def _joined(mesh, loose, groups):
@@ -73,7 +96,7 @@ def _joined(mesh, loose, groups):
     _, first, inverse = np.unique(groups, return_index=True, return_inverse=True)
     index[loose] = loose[first[inverse.reshape(-1)]]
     normals = _means(mesh, index)
-    return index, Mesh(mesh.vertices, index[mesh.faces], copy=False, normals=normals)
+    return index, _remade(mesh, index[mesh.faces], normals)
 
 
 def _fans(mesh, welded, index, among):
@@ -161,7 +184,7 @@ def orient(mesh: Mesh) -> tuple[Mesh, np.ndarray]:
     flip = np.where(open_, majority, volume) < 0
     turned = ((parity == 1) != flip[component]) & orientable[component]
     faces = np.where(turned[:, None], mesh.faces[:, ::-1], mesh.faces)
-    return Mesh(mesh.vertices, faces, copy=False, normals=mesh.normals), turned
+    return _remade(mesh, faces, mesh.normals), turned
 
 
 class Edges:

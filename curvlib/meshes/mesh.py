@@ -37,10 +37,18 @@ UNIT = 1e-12
 class Mesh:
     """A triangle mesh, with exact values at its vertices where it was made from a surface.
 
+    Attributes
+    ----------
+    concerned, left_out : ndarray of bool, (V,) and (F,), or None
+        Vertices whose position is not finite, or with a triangle that is left out for such a one;
+        triangles that are left out, for this or, by `curvlib.weld`, as they are there again. None
+        where there are none.
+
     Parameters
     ----------
     vertices : array_like of float, (V, 3)
-        Coordinates, in the unit of the mesh.
+        Coordinates, in the unit of the mesh. Triangles at a vertex with one that is not finite are
+        left out: they name another vertex three times. The vertex itself is NaN.
     faces : array_like of int, (F, 3)
         Vertex indices, counter-clockwise seen from outside.
     copy : bool
@@ -54,8 +62,8 @@ class Mesh:
     Raises
     ------
     InputError
-        An array has the wrong shape or type, a coordinate is not finite, or a face refers to no
-        vertex.
+        An array has the wrong shape or type, each face has a coordinate that is not finite, or one
+        refers to no vertex.
 
     Examples
     --------
@@ -87,9 +95,6 @@ class Mesh:
             raise InputError(f"mesh: more than {MOST_VERTICES} vertices or corners of faces")
         # NaN and infinities show in the extremes, which `unit` needs too.
         self._largest = float(max(self.vertices.max(), -self.vertices.min())) if count else 0.0
-        if not math.isfinite(self._largest):
-            row = int(np.argmin(np.isfinite(self.vertices))) // 3
-            raise InputError(f"vertices: vertex {row} has a coordinate that is not finite")
         indices = self.faces.view(np.uintp)  # unsigned, a negative index is large
         if indices.size and indices.max() >= count:
             row = int(np.argmax(indices >= count)) // 3
@@ -97,6 +102,9 @@ class Mesh:
                 f"faces: face {row} is {self.faces[row].tolist()}, "
                 f"but vertex indices run from 0 to {count - 1}"
             )
+        self.concerned = self.left_out = None
+        if not math.isfinite(self._largest):
+            self._leave_out()
         for name in fields:
             check_name("field", name, FIELDS, "mesh")
         for name, rest in FIELDS.items():
@@ -134,6 +142,14 @@ class Mesh:
         mesh = Mesh(vertices, self.faces)
         mesh._rings, mesh._adjacency = self.rings, self._adjacency
         return mesh
+
+    def _leave_out(self):
+        """Leave out triangles at positions that are not finite."""
+        from .sound import placed
+
+        vertices, faces, self.concerned, self.left_out = placed(self.vertices, self.faces)
+        self._vertices, self._faces = frozen(vertices), frozen(faces)
+        self._largest = float(np.nanmax(np.abs(vertices)))
 
     @property
     def H2(self) -> np.ndarray | None:

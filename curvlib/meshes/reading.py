@@ -47,6 +47,8 @@ BEGINNINGS = {
 WORDS = 200  # the most characters of another library's message
 # Exit status of the process that reads apart, where it tells why it could not.
 FAILED = 3
+# The most seconds that it takes: some, and more for a large file, a hundredth of usual speed.
+SECONDS, BYTES_A_SECOND = 60.0, 1e6
 
 
 def read_arrays(path):
@@ -147,14 +149,19 @@ def _heard():
 
 def _pyvista_apart(path):
     """As `_pyvista`, in a process of its own: broken files of these formats end it, by a fault of
-    VTK or by meshio, or have HDF5 write to stderr."""
+    VTK or by meshio, have HDF5 write to stderr, or never end."""
     if find_spec("pyvista") is None:
         raise ImportError(name="pyvista")
-    apart = subprocess.run(
-        [sys.executable, "-m", __name__, str(path)],
-        env=os.environ | {"PYTHONPATH": os.pathsep.join(map(str, sys.path))},
-        capture_output=True,
-    )
+    limit = SECONDS + path.stat().st_size / BYTES_A_SECOND
+    try:
+        apart = subprocess.run(
+            [sys.executable, "-m", __name__, str(path)],
+            env=os.environ | {"PYTHONPATH": os.pathsep.join(map(str, sys.path))},
+            capture_output=True,
+            timeout=limit,
+        )
+    except subprocess.TimeoutExpired:
+        raise RuntimeError(f"it did not end within {limit:.0f} s, and was stopped") from None
     if apart.returncode == FAILED:
         raise RuntimeError(apart.stdout.decode("utf-8", "replace"))
     if apart.returncode:

@@ -69,6 +69,12 @@ def faulty(vertices, faces, fault, rng):
         return vertices, np.vstack((faces[:f], faces[[f], ::-1], faces[f + 1 :])), faces[f]
     if fault == "triangle there twice":
         return vertices, np.vstack((faces, faces[[f]])), faces[f]
+    if fault == "triangle there from behind":
+        return vertices, np.vstack((faces, faces[[f], ::-1])), faces[f]
+    if fault == "position that is not finite":
+        nowhere = vertices.copy()
+        nowhere[v, rng.integers(3)] = rng.choice([np.nan, np.inf, -np.inf])
+        return nowhere, faces, np.unique(np.append(faces[(faces == v).any(1)], v))
     if fault == "triangle left out":
         return vertices, np.delete(faces, f, axis=0), faces[f]
     if fault == "vertex named twice":
@@ -100,6 +106,8 @@ def faulty(vertices, faces, fault, rng):
 FAULTS = [
     "flipped triangle",
     "triangle there twice",
+    "triangle there from behind",
+    "position that is not finite",
     "triangle left out",
     "vertex named twice",
     "fin",
@@ -111,11 +119,20 @@ FAULTS = [
 ]
 
 
-def estimated(vertices, faces, name):
+def estimated(vertices, faces, name, **per):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         warnings.simplefilter("ignore", curvlib.MeshWarning)
-        return curvlib.estimate((vertices, faces), name, **KINDS[name])
+        return curvlib.estimate((vertices, faces), name, **KINDS[name], **per)
+
+
+def nowhere(vertices, faces):
+    """Whether no triangle is left; that is one error."""
+    if np.isfinite(vertices[faces]).all((1, 2)).any():
+        return False
+    with pytest.raises(curvlib.InputError, match="not finite, and so has one of each triangle"):
+        curvlib.estimate((vertices, faces), "gauss_bonnet")
+    return True
 
 
 def columns(r):
@@ -148,6 +165,8 @@ def test_any_mesh(name, shape, faults, power, seed):
     vertices, faces = SHAPES[shape]()
     for fault in faults:
         vertices, faces, _ = faulty(vertices, faces, fault, rng)
+    if nowhere(vertices, faces):
+        return
     before = vertices.copy(), faces.copy()
     found = estimated(vertices, faces, name)
     np.testing.assert_array_equal(vertices, before[0])
@@ -179,6 +198,38 @@ def test_any_mesh(name, shape, faults, power, seed):
         np.testing.assert_allclose(columns(again), values[order], rtol=1e-6, atol=1e-9)
 
 
+@many
+@given(
+    shape=st.sampled_from(list(SHAPES)),
+    faults=st.lists(st.sampled_from(FAULTS), max_size=4),
+    seed=st.integers(0, 1000),
+)
+def test_any_mesh_per_face(shape, faults, seed):
+    """As `test_any_mesh`, at the triangles, under other numbers of these."""
+    rng = np.random.default_rng(seed)
+    vertices, faces = SHAPES[shape]()
+    for fault in faults:
+        vertices, faces, _ = faulty(vertices, faces, fault, rng)
+    if nowhere(vertices, faces):
+        return
+    found = estimated(vertices, faces, "tensor_voting", per="face")
+    values = columns(found)
+    assert values.shape == (len(faces), 5)
+    assert not np.isinf(values).any()
+    d1, d2 = found.d1, found.d2
+    lacking = np.isnan(np.column_stack((values, d1, d2))).any(1)
+    assert sum(found.undefined.values()) == lacking.sum()
+    proper = np.isfinite(vertices[faces]).all((1, 2)) & (np.diff(np.sort(faces), axis=1) > 0).all(1)
+    assert np.isnan(values[~proper]).all()
+    assert not (found.k1 < found.k2).any()
+    order = rng.permutation(len(faces))
+    again = columns(estimated(vertices, faces[order], "tensor_voting", per="face"))
+    # Of two triangles the first counts, and which one that is depends on their order.
+    others = {"spike", "flat triangle", "triangle there twice", "triangle there from behind"}
+    if not others & set(faults):
+        np.testing.assert_allclose(again, values[order], rtol=1e-6, atol=1e-9)
+
+
 # Values of compact_hermite depend on all vertices.
 @pytest.mark.parametrize("name", sorted({*KINDS} - {"compact_hermite"}))
 @many
@@ -198,7 +249,8 @@ def test_a_fault_is_felt_near_it_alone(name, shape, fault, seed):
     reach = near(np.vstack((faces, other)), at, len(moved), 1 if name == "gauss_bonnet" else 3)
     if "radius" in KINDS[name]:
         # What lies within the radius of what lies within it, by any path.
-        gap = np.linalg.norm(moved[:, None] - moved[at], axis=2).min(1)
+        placed = np.nan_to_num(moved, posinf=0, neginf=0)
+        gap = np.linalg.norm(placed[:, None] - placed[at], axis=2).min(1)
         old = np.linalg.norm(vertices[:, None] - vertices[at[at < count]], axis=2).min(1, initial=9)
         reach = (gap < 3 * 1.2) | reach
         reach[:count] |= old < 3 * 1.2
@@ -206,16 +258,29 @@ def test_a_fault_is_felt_near_it_alone(name, shape, fault, seed):
     np.testing.assert_array_equal(columns(found)[:count][away], columns(whole)[away])
 
 
+@pytest.mark.filterwarnings("ignore::curvlib.MeshWarning")
+@pytest.mark.parametrize("name", KINDS)
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
 @many
-@given(shape=st.sampled_from(list(SHAPES)), seed=st.integers(0, 1000))
-def test_coordinates_that_are_not_finite(bad, shape, seed):
+@given(shape=st.sampled_from(["torus", "patch", "fan"]), seed=st.integers(0, 1000))
+def test_coordinates_that_are_not_finite(name, bad, shape, seed):
+    """As without the triangles at such vertices, bit by bit; said once, and counted."""
     rng = np.random.default_rng(seed)
     vertices, faces = SHAPES[shape]()
-    v = rng.integers(len(vertices))
-    vertices[v, rng.integers(3)] = bad
-    with pytest.raises(curvlib.InputError, match=f"vertex {v} has a coordinate that is not finite"):
-        curvlib.estimate((vertices, faces), "gauss_bonnet")
+    at = rng.choice(len(vertices), 2)
+    vertices[at, rng.integers(3)] = bad
+    vertices = np.vstack((vertices, [[bad, 0, 0]]))
+    left = faces[~np.isin(faces, at).any(1)]
+    if not len(left):
+        return
+    with pytest.warns(curvlib.MeshWarning, match="have a position that is not finite"):
+        found = curvlib.estimate((vertices, faces), name, **KINDS[name])
+    places = np.where(np.isfinite(vertices), vertices, 0)
+    expected = estimated(places, left, name)
+    np.testing.assert_array_equal(columns(found), columns(expected))
+    lost = set(at) | {len(vertices) - 1}
+    assert found.undefined["position that is not finite"] >= len(lost)
+    assert sum(found.undefined.values()) == sum(expected.undefined.values())
 
 
 @many

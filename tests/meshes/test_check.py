@@ -96,8 +96,16 @@ def test_each_fault_and_where():
     assert touching["vertices where surfaces touch in a point"].where.tolist() == [5]
 
     again = faults(vertices, np.vstack((faces, faces[[3]], [[4, 4, 9]])))
-    assert again["triangles that are there more than once"].where.tolist() == [3, len(faces)]
+    assert again["triangles that are there again"].where.tolist() == [len(faces)]
     assert again["triangles that name a vertex twice"].where.tolist() == [len(faces) + 1]
+    assert len(again) == 2
+
+    placed = np.vstack((vertices, np.full((1, 3), np.nan)))
+    placed[30] = np.inf
+    nowhere = faults(placed, faces)
+    (name,) = nowhere
+    assert name == "vertices whose position is not finite"
+    assert nowhere[name].where.tolist() == [30, len(vertices)]
 
     flat = vertices.copy()
     a, b, c = faces[100]

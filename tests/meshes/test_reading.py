@@ -1,5 +1,6 @@
 """Meshes from files of every format that can be written here."""
 
+import time
 import warnings
 
 import numpy as np
@@ -243,3 +244,17 @@ def test_a_file_that_ends_the_reader(tmp_path, capfd, offsets):
     with pytest.raises(curvlib.InputError, match=r"a\.vtk': pyvista cannot read it: .*broken"):
         curvlib.read(path)
     assert capfd.readouterr() == ("", "")
+
+
+def test_a_reader_that_hangs(tmp_path, monkeypatch):
+    """It is stopped; a larger file has more time."""
+    (tmp_path / "pyvista.py").write_text("import time\n\ntime.sleep(600)\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setattr("curvlib.meshes.reading.SECONDS", 0.5)
+    monkeypatch.setattr("curvlib.meshes.reading.BYTES_A_SECOND", 20)
+    path = tmp_path / "a.vtk"
+    path.write_text("# vtk DataFile ")
+    start = time.monotonic()
+    with pytest.raises(curvlib.InputError, match=r"a\.vtk': pyvista .*did not end within 1 s, and"):
+        curvlib.read(path)
+    assert 1 < time.monotonic() - start < 60
