@@ -6,7 +6,7 @@ from .errors import InputError, check_name
 
 EXACT = ("K", "H", "k1", "k2", "d1", "d2")  # a surface has them, too
 DERIVED = ("shape_index", "curvedness", "category", "bending_energy")
-ERRORS = ("K_error", "H_error")
+ERRORS = ("K_error", "H_error", "k1_error", "k2_error")
 QUANTITIES = (*EXACT, *DERIVED, *ERRORS)
 # The categories of the shape index, code by code, and the last where the surface is flat.
 CATEGORIES = (

@@ -34,8 +34,8 @@ class Estimates:
         4 (shape_index + 1), rounded: cylinders and spheres lie amid a category and not, as with
         signs of K and H, at the limit of two; and flat, where curvedness times the diagonal of
         the mesh's box is below 0.001.
-    K_error, H_error : ndarray of float64, (V,), or None
-        Standard errors of K and H; None where the estimator does not return them.
+    K_error, H_error, k1_error, k2_error : ndarray of float64, (V,), or None
+        Standard errors of K, H, k1 and k2; None where the estimator does not return them.
     choice : curvlib.kit.tensor.Choice or None
         What an estimator that chooses took at each vertex: `choice.calls[choice.index[v]]`.
     returned : tuple of str
@@ -87,6 +87,7 @@ class Estimates:
         count = len(mesh.vertices if per == "vertex" else mesh.faces)
         self.d1, self.d2 = found.get("d1"), found.get("d2")
         self.K_error, self.H_error = found.get("K_error"), found.get("H_error")
+        self.k1_error, self.k2_error = found.get("k1_error"), found.get("k2_error")
         for name in ("K", "H"):
             values = found.get(name)
             setattr(self, name, np.full(count, np.nan) if values is None else values)

@@ -69,6 +69,31 @@ class Passes:
         """Passes over the mesh with its vertices at other places."""
         return Passes(self._mesh.moved(vertices), self._threads)
 
+    @property
+    def mean_edge(self):
+        """The mean length of an edge."""
+        return self._mesh.mean_edge
+
+    def edges(self):
+        """The root mean square length of the edges at each vertex, (V,)."""
+        offsets, neighbours = self._graph.offsets, self._graph.neighbours
+        each = np.repeat(self.vertices, np.diff(offsets), axis=0) - self.vertices[neighbours]
+        squares = np.concatenate(([0.0], np.cumsum((each**2).sum(1))))
+        return np.sqrt(np.diff(squares[offsets]) / np.maximum(np.diff(offsets), 1))
+
+    def sums(self, values, sweeps):
+        """Values (c, V), each replaced by the sum over its vertex and that one's neighbours, so
+        many times."""
+        from scipy.sparse import csr_array, eye_array
+
+        offsets, neighbours = self._graph.offsets, self._graph.neighbours
+        count, ones = len(self.vertices), np.ones(len(neighbours))
+        near = csr_array((ones, neighbours, offsets), (count, count)) + eye_array(count)
+        values = np.ascontiguousarray(values.T)
+        for _ in range(sweeps):
+            values = near @ values
+        return values.T
+
     def estimates(self, function, vertices=None, **options) -> dict:
         """The values of an estimator at m vertices, all by default: name -> (m,), or (3, m) of a
         direction; empty where none of them has a disk."""

@@ -7,11 +7,12 @@ import numpy as np
 from .catalogue import estimators
 from .errors import InputError
 from .kit.batch import scatter
-from .kit.tensor import Assessed, Curvatures
+from .kit.tensor import ERRORS, Assessed, Curvatures
 
 OURS = f"{estimators.package}."
 # Power of 1/length that each quantity scales with.
-POWERS = {"K": 2, "H": 1, "k1": 1, "k2": 1, "d1": 0, "d2": 0, "K_error": 2, "H_error": 1}
+POWERS = {"K": 2, "H": 1, "k1": 1, "k2": 1, "d1": 0, "d2": 0}
+POWERS |= {name: POWERS[name.removesuffix("_error")] for name in ERRORS}
 
 
 class Task:

@@ -11,6 +11,7 @@ from curvlib.kit.scales import RINGS, forms, means, nearest, ratios
 from curvlib.kit.tensor import Assessed, Choice, Curvatures
 
 from . import ball_regression, compact_hermite, jet
+from ._errors import Errors
 
 LABEL = "Adaptive fit"
 SOURCE = "https://doi.org/10.1016/j.cagd.2004.09.004"
@@ -122,16 +123,17 @@ def estimate(passes):
 
         index[:] = chosen[cKDTree(passes.vertices[sample]).query(passes.vertices)[1]]
     every = [np.flatnonzero(index == k) for k in range(len(fits))] if len(fits) > 1 else [None]
-    found = {}
+    found, errors = {}, Errors(passes)
     for fit, vertices in zip(fits, every):
-        for name, x in passes.estimates(fit.function, vertices, **fit.options).items():
+        for name, x in errors.values(fit, vertices).items():
             if vertices is None:
                 found[name] = x
             else:
                 whole = found.setdefault(name, np.full((*x.shape[:-1], len(index)), np.nan))
                 whole[..., vertices] = x
     curvatures = Curvatures(*(found.get(name) for name in Curvatures._fields))
-    return Assessed(*curvatures, None, None, Choice(tuple(map(_call, fits)), index))
+    sure = errors.standard(found) if found else (None,) * 4
+    return Assessed(*curvatures, *sure, Choice(tuple(map(_call, fits)), index))
 
 
 def _call(fit):

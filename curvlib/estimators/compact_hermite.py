@@ -93,7 +93,7 @@ def estimate(disk, fitted, degree: Literal[6, 4, 5] = 6):
     if not (flat and fitted[8, 0] < UNSETTLED and f[2] == f[2]):
         N = disk.normal
         X, Y = tangents(N)
-        f, _ = fit_jet(disk, X, Y, N, 4, 2, True)
+        f, _, _ = fit_jet(disk, X, Y, N, 4, 2, True)
     return from_graph(*f, X, Y, N)[0]
 
 
@@ -128,7 +128,7 @@ def fitted(disk, normals, degree: Literal[6, 4, 5] = 6) -> Coupled:
         f, gain, derivatives = fit_hermite(disk, normals, X, Y, N, degree, SLOPE, SINE)
         if gain <= GAIN:
             return Coupled((f[0], f[1]), (f[2], f[3], f[4]), N, derivatives, disk.count)
-    f, _ = fit_jet(disk, X, Y, N, degree, 2 if degree == 4 else 3, True)
+    f, _, _ = fit_jet(disk, X, Y, N, degree, 2 if degree == 4 else 3, True)
     if not f[0] * f[0] + f[1] * f[1] < STEEP:
         return Coupled((0.0, 0.0), (np.nan, np.nan, np.nan), N, disk.rows, 0)
     return Coupled((f[0], f[1]), (f[2], f[3], f[4]), N, disk.rows, 0)
@@ -149,7 +149,7 @@ def normals(disk, rings: Literal[2] = 2):
     """
     N = disk.normal
     X, Y = tangents(N)
-    f, _ = fit_jet(disk, X, Y, N, 3 if disk.closed else 6, rings if disk.closed else 3, True)
+    f, _, _ = fit_jet(disk, X, Y, N, 3 if disk.closed else 6, rings if disk.closed else 3, True)
     if f[0] == f[0]:
         N = from_graph(*f, X, Y, N)[1]
     return N[0], N[1], N[2], 1.0 if disk.closed and N[0] == N[0] else 0.0

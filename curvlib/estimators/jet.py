@@ -80,7 +80,7 @@ def estimate(
     """
     N = disk.normal
     X, Y = tangents(N)
-    derivatives, _ = fit_jet(disk, X, Y, N, degree, rings, fit == "interpolation")
+    derivatives, _, _ = fit_jet(disk, X, Y, N, degree, rings, fit == "interpolation")
     return from_graph(*derivatives, X, Y, N)[0]
 
 
@@ -102,6 +102,8 @@ def fit_jet(disk, X, Y, N, degree, rings, interpolating):
     derivatives : tuple of 5 floats
     degree : int
         As of `fit_polynomial`.
+    disk : Disk
+        With the rings that were taken.
     """
     while True:
         if interpolating:
@@ -111,10 +113,10 @@ def fit_jet(disk, X, Y, N, degree, rings, interpolating):
         )
         narrow = disk.count
         if reached == degree or disk.walk.rings >= WIDEST:
-            return derivatives, reached
+            return derivatives, reached, disk
         disk, _ = wider(disk)
         if disk.count == narrow:
-            return derivatives, reached
+            return derivatives, reached, disk
 
 
 @kernel

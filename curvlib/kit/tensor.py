@@ -20,9 +20,10 @@ At one point numbers and triples; of a batch of m arrays (m,) and, component fir
 stands for a quantity that is not estimated.
 """
 
-Assessed = namedtuple("Assessed", (*Curvatures._fields, "K_error", "H_error", "choice"))
-Assessed.__doc__ = """Curvatures, standard errors of K and H, None where not estimated, and the
-Choice of the method."""
+ERRORS = "K_error", "H_error", "k1_error", "k2_error"
+Assessed = namedtuple("Assessed", (*Curvatures._fields, *ERRORS, "choice"))
+Assessed.__doc__ = """Curvatures, standard errors of K, H, k1 and k2, None where not estimated, and
+the Choice of the method."""
 
 Choice = namedtuple("Choice", "calls index")
 Choice.__doc__ = """What an estimator chose at each vertex.
