@@ -9,7 +9,7 @@ from .meshes.around import BALL, DISK, GEODESIC, WIDEST, Reach
 from .meshes.facets import facets
 from .meshes.loops import Neighbourhoods
 from .meshes.mesh import Mesh
-from .meshes.neighbourhoods import BROKEN
+from .meshes.neighbourhoods import BROKEN, CLOSED
 from .parallel import for_each
 from .signatures import Signature
 
@@ -81,18 +81,33 @@ class Passes:
         squares = np.concatenate(([0.0], np.cumsum((each**2).sum(1))))
         return np.sqrt(np.diff(squares[offsets]) / np.maximum(np.diff(offsets), 1))
 
-    def sums(self, values, sweeps):
-        """Values (c, V), each replaced by the sum over its vertex and that one's neighbours, so
-        many times."""
+    def layers(self, most):
+        """How many edges each vertex is from the boundary, (V,), `most` where there are more."""
+        near, found = self._near(), np.full(len(self.vertices), most)
+        there = self._graph.stars != CLOSED
+        for k in range(most):
+            found[there & (found == most)] = k
+            there = near @ there > 0
+        return found
+
+    def sums(self, values, sweeps, groups):
+        """Values (c, V), each replaced by the sum over its vertex and those neighbours that have
+        its group, so many times; `groups` (V,)."""
+        near = self._near().tocoo()
+        within = groups[near.row] == groups[near.col]
+        near.data[~within] = 0
+        near, values = near.tocsr(), np.ascontiguousarray(values.T)
+        for _ in range(sweeps):
+            values = near @ values
+        return values.T
+
+    def _near(self):
+        """The matrix of who is a vertex or its neighbour."""
         from scipy.sparse import csr_array, eye_array
 
         offsets, neighbours = self._graph.offsets, self._graph.neighbours
         count, ones = len(self.vertices), np.ones(len(neighbours))
-        near = csr_array((ones, neighbours, offsets), (count, count)) + eye_array(count)
-        values = np.ascontiguousarray(values.T)
-        for _ in range(sweeps):
-            values = near @ values
-        return values.T
+        return csr_array((ones, neighbours, offsets), (count, count)) + eye_array(count)
 
     def estimates(self, function, vertices=None, **options) -> dict:
         """The values of an estimator at m vertices, all by default: name -> (m,), or (3, m) of a

@@ -18,10 +18,15 @@ NAMES = "K", "H", "k1", "k2"
 FEWER, FEWER_EXACT = 4, 8
 # Sums over neighbours: of residuals, and of what second fits differ by.
 SWEEPS, SWEEPS_BIAS = 2, 3
+# Of vertices from the boundary, each of which is summed over alone.
+LAYERS = 4
 # The error of compact_hermite, and that of the jet through the vertex, over the mean difference
 # from the jet of degree 6 by approximation.
 EXACT = 0.5
+EXACT_BESIDE = 1.0
 THROUGH = 1.4
+# Of the scale, that the bias of a form grows with.
+POWER = {6: 4, 4: 3}
 # Radii of balls, the larger over the smaller; ratios of radius and edge where variances are known.
 NEXT = 2**0.5
 LATTICE = np.geomspace(0.75, 24, 16)
@@ -41,7 +46,7 @@ class Errors:
         self._residuals = np.zeros((2, count))  # sums of squares, and how many are free
         # Per variance of the vertices: of NAMES, and of what drives k1 and k2 apart.
         self._variances = np.zeros((5, count))
-        self._pairs = []
+        self._layers, self._pairs = passes.layers(LAYERS), []
 
     def values(self, fit, vertices):
         """The values of a fit, as `Passes.estimates`; what it says of errors is kept."""
@@ -52,14 +57,14 @@ class Errors:
     def standard(self, found):
         """Standard errors (4, V) of NAMES, whose values are in `found`: NaN where these are."""
         values = np.stack([found[name] for name in NAMES])
-        squares, free = self._passes.sums(self._residuals, SWEEPS)
+        squares, free = self._passes.sums(self._residuals, SWEEPS, self._layers)
         noise = np.divide(squares, free, out=np.zeros_like(free), where=free > 0)
         count = values.shape[1]
         biases = np.zeros((5, count))
         for vertices, differences, factor, own, other in self._pairs:
             excess = differences**2 - noise[vertices] * (own - other)
             biases[:4, vertices], biases[4, vertices] = factor * np.nan_to_num(excess), 1
-        biases = self._passes.sums(biases, SWEEPS_BIAS)
+        biases = self._passes.sums(biases, SWEEPS_BIAS, self._layers)
         bias = np.maximum(biases[:4], 0) / np.maximum(biases[4], 1e-300)
         variance = noise * self._variances[:4] + bias
         across = noise * self._variances[4]
@@ -68,11 +73,13 @@ class Errors:
         return np.where(np.isfinite(values), np.sqrt(variance), np.nan)
 
     def _some(self, vertices, fewer):
-        chosen = self._random.choice(len(vertices), -(-len(vertices) // fewer), replace=False)
-        return vertices[np.sort(chosen)]
+        """A part of vertices, and all of those near a boundary."""
+        chosen = self._random.random(len(vertices)) * fewer < 1
+        return vertices[chosen | (self._layers[vertices] < LAYERS)]
 
     def _assessed(self, vertices, degree, rings):
-        return _Assessed(self._passes.field(assessed, vertices, degree=degree, rings=rings))
+        found = self._passes.field(assessed, vertices, degree=degree, rings=rings)
+        return _Assessed(found if len(found) else np.full((17, len(vertices)), np.nan))
 
     def _keep(self, vertices, one):
         self._residuals[:, vertices] = np.where(one.residuals[1] > 0, one.residuals, 0)
@@ -88,7 +95,7 @@ class Errors:
         wider = RINGS[degree][RINGS[degree].index(rings) + 1]
         chosen = np.searchsorted(vertices, some := self._some(vertices, FEWER))
         other = self._assessed(some, degree, wider)
-        factor = 1 / ((wider / rings) ** degree - 1) ** 2
+        factor = 1 / ((wider / rings) ** POWER[degree] - 1) ** 2
         differences = other.values - one.values[:, chosen]
         self._pair(
             some, differences, factor, one.variances[:4, chosen], other.variances[:4]
@@ -101,8 +108,10 @@ class Errors:
     def _compact(self, vertices, degree):
         found = self._passes.estimates(compact_hermite.estimate, vertices, degree=degree)
         chosen = np.searchsorted(vertices, some := self._some(vertices, FEWER_EXACT))
-        other = self._assessed(some, 6, 3)
-        self._pair(some, other.values - _of(found)[:, chosen], EXACT**2)
+        inner = self._layers[some] == LAYERS
+        for rings, part, factor in ((3, inner, EXACT), (4, ~inner, EXACT_BESIDE)):
+            other = self._assessed(some[part], 6, rings)
+            self._pair(some[part], other.values - _of(found, len(vertices))[:, chosen[part]], factor**2)
         return found
 
     def _ball(self, vertices, radius):
@@ -115,9 +124,9 @@ class Errors:
         )
         local = self._passes.edges()[vertices]
         length = edges * self._passes.mean_edge
-        self._variances[:, vertices] = own = _of_balls(_of(found), local, length)
-        wider = _of_balls(_of(other), local[chosen], length * NEXT)
-        self._pair(some, _of(other) - _of(found)[:, chosen], 1.0, own[:4, chosen], wider[:4])
+        self._variances[:, vertices] = own = _of_balls(_of(found, len(vertices)), local, length)
+        wider = _of_balls(_of(other, len(some)), local[chosen], length * NEXT)
+        self._pair(some, _of(other, len(some)) - _of(found, len(vertices))[:, chosen], 1.0, own[:4, chosen], wider[:4])
         return found
 
 
@@ -128,8 +137,9 @@ OF = {
 }
 
 
-def _of(found):
-    return np.stack([found[name] for name in NAMES])
+def _of(found, count):
+    """The values (4, m) of NAMES, NaN where nothing is `found`."""
+    return np.stack([found.get(name, np.full(count, np.nan)) for name in NAMES])
 
 
 class _Assessed:
