@@ -17,6 +17,8 @@ from .signatures import Signature
 BLOCK = 24576
 # The disks of more vertices than this part of all read a field nearly everywhere.
 MANY = 0.2
+# Sweeps of `Passes.sums` behind the last, where there is nothing.
+FURTHER = 4
 
 
 def run(mesh, tasks, threads) -> None:
@@ -92,13 +94,19 @@ class Passes:
 
     def sums(self, values, sweeps, groups):
         """Values (c, V), each replaced by the sum over its vertex and those neighbours that have
-        its group, so many times; `groups` (V,)."""
-        near = self._near().tocoo()
-        within = groups[near.row] == groups[near.col]
-        near.data[~within] = 0
-        near, values = near.tocsr(), np.ascontiguousarray(values.T)
+        its group, so many times; where the last component is 0 then, by that over all neighbours,
+        a few times more. `groups`: (V,)."""
+        every = self._near()
+        within = every.tocoo()
+        within.data[groups[within.row] != groups[within.col]] = 0
+        within, values = within.tocsr(), np.ascontiguousarray(values.T)
         for _ in range(sweeps):
-            values = near @ values
+            values = within @ values
+        for _ in range(FURTHER):
+            empty = np.flatnonzero(values[:, -1] == 0)
+            if len(empty) in (0, len(values)):
+                break
+            values[empty] = every[empty] @ values
         return values.T
 
     def _near(self):

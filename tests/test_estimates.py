@@ -171,9 +171,9 @@ def test_integrals_leave_out_what_is_undefined():
 
 def test_standard_errors_are_columns():
     ones = np.ones(len(MESH.vertices))
-    r = Estimates(MESH, {"K": ones, "H": ones, "K_error": 2 * ones, "H_error": 3 * ones}, "mesh")
+    r = Estimates(MESH, {"K": ones, "H": ones, "K_error": 2 * ones, "k1_error": 3 * ones}, "mesh")
     assert r.returned == ("K", "H")
     table = r.to_dataframe()
-    assert list(table)[-2:] == ["K_error", "H_error"]
+    assert list(table)[-2:] == ["K_error", "k1_error"]
     assert (table.K_error == 2).all()
     assert curvlib.estimate(MESH, "meyer").K_error is None

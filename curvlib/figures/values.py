@@ -19,7 +19,7 @@ BELOW = 130  # pixels for the scale
 SHARE = 0.98  # of the area whose values lie within the scale, both ways
 COLOURS = matplotlib.colormaps["RdYlBu_r"]
 # Quantities that are never negative have a scale from 0, in other colours.
-FROM_ZERO = ("curvedness", "bending_energy", "K_error", "H_error")
+FROM_ZERO = ("curvedness", "bending_energy", "K_error", "H_error", "k1_error", "k2_error")
 FROM_ZERO_COLOURS = matplotlib.colormaps["viridis"]
 
 

@@ -16,6 +16,7 @@ curvlib, and names and meaning here do not change between minor versions.
 `solid`     moments of the solid that the triangles of a ball bound
 `measures`  curvature measures of triangles, dihedral angles of edges
 `polynomial` a polynomial fitted to a disk, by normal equations
+`variance`  variances of the curvatures of such a polynomial
 `scales`    polynomials fitted over more and more rings of a disk
 `reweighted` a quadric fitted to most points of a disk
 `displaced` vertices far off the surface of their neighbours
