@@ -63,8 +63,8 @@ def _quantities(context, parameter, begun):
     multiple=True,
     metavar="NAME",
     shell_complete=_quantities,
-    help="Of K H k1 k2 d1 d2 shape_index curvedness category bending_energy K_error H_error k1_error "
-    "k2_error; may be repeated. Default: all that there are.",
+    help="Of K H k1 k2 d1 d2 shape_index curvedness category bending_energy K_error H_error "
+    "k1_error k2_error; may be repeated. Default: all that there are.",
 )
 @click.option(
     "--c0",

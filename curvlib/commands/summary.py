@@ -23,6 +23,7 @@ def document(estimates, named, options, c0):
         "options": options,
         "undefined": estimates.undefined,
         "choice": _taken(estimates),
+        "relative_errors": _relative_errors(estimates),
         "quantiles": spread,
         "integral_of_K": estimates.integral(estimates.K),
         "bending_energy": estimates.integral(estimates.bending_energy(c0)),
@@ -46,6 +47,9 @@ def text(name, told):
         c0 = told["spontaneous_curvature"]
         less = f" - {number(c0)}" if c0 > 0 else f" + {number(-c0)}" if c0 else ""
         lines.append(f"  bending energy {number(energy)}, the integral of (2 H{less})^2 / 2")
+    if told["relative_errors"]:
+        parts = ", ".join(f"{q} {number(x)}" for q, x in told["relative_errors"].items())
+        lines.append(f"  standard errors over curvedness (of K over its square), median: {parts}")
     shown = sorted(told["categories"].items(), key=lambda item: -item[1])
     parts = ", ".join(f"{words} {part:.0%}" for words, part in shown if part >= LEAST_SHARE)
     if parts:
@@ -65,6 +69,24 @@ def _taken(estimates):
     calls, index = estimates.choice
     parts = np.bincount(index, minlength=len(calls)) / len(index)
     return {calls[k]: float(parts[k]) for k in np.argsort(-parts, kind="stable") if parts[k]}
+
+
+def _relative_errors(estimates):
+    """Medians of the standard errors over the curvedness, of that of K over its square; empty for
+    an estimator without them."""
+    import numpy as np
+
+    from curvlib.columns import ERRORS
+
+    found = {}
+    for column in ERRORS:
+        errors, name = getattr(estimates, column), column.removesuffix("_error")
+        if errors is not None:
+            with np.errstate(invalid="ignore", divide="ignore"):
+                parts = errors / estimates.curvedness ** (2 if name == "K" else 1)
+            known = parts[np.isfinite(parts)]
+            found[name] = float(np.median(known)) if len(known) else np.nan
+    return found
 
 
 def regions(rows):
