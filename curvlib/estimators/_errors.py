@@ -35,12 +35,22 @@ class Errors:
     Parameters
     ----------
     passes : Passes
+
+    Notes
+    -----
+    They are roots of s^2 c^T G^-1 c + b^2. For jets s^2 is the variance of the residuals, summed
+    over two rings, and c^T G^-1 c that of `curvlib.kit.variance`. Residuals of ball_regression are
+    correlated, since normals are means over balls, and are of bias first: s^2 is that of jets of
+    degree 6 over three rings, and the variance per s^2 is that of `_balls`. b^2 is the mean square
+    of the change to the next scale over three rings, less the part of noise in it, cut at 0, and
+    extrapolated. Of compact_hermite it is all: part of the distance to a jet of degree 6.
     """
 
     def __init__(self, passes):
         count = len(passes.vertices)
         self._passes, self._random = passes, np.random.default_rng(0)
         self._layers = passes.layers(LAYERS)
+        self._groups = self._layers.copy()  # that are summed over alone
         # Sums of squares of residuals, and how many of these are free.
         self._residuals = np.zeros((2, count))
         # Per variance of the vertices: of NAMES, and of a form across a principal direction.
@@ -58,7 +68,7 @@ class Errors:
         values, count = _of(found, 0), self._residuals.shape[1]
         noise = np.zeros(count)
         if self._residuals.any():
-            squares, free = self._passes.sums(self._residuals, SWEEPS, self._layers)
+            squares, free = self._passes.sums(self._residuals, SWEEPS, self._groups)
             np.divide(squares, free, out=noise, where=free > 0)
         biases = np.zeros((5, count))
         for vertices, differences, factor, own, other in self._pairs:
@@ -67,7 +77,7 @@ class Errors:
             excess = factor * (differences**2 - noise[vertices] * (own - other))
             known = np.isfinite(excess).all(0)
             biases[:4, vertices[known]], biases[4, vertices[known]] = excess[:, known], 1
-        biases = self._passes.sums(biases, SWEEPS_BIAS, self._layers)
+        biases = self._passes.sums(biases, SWEEPS_BIAS, self._groups)
         biases[:, biases[4] == 0] = biases.sum(1)[:, None]
         variance = np.maximum(biases[:4], 0) / np.maximum(biases[4], 1)
         variance += noise * self._variances[:4]
@@ -102,6 +112,7 @@ class Errors:
     def _compact(self, vertices, degree):
         found = self._passes.estimates(compact_hermite.estimate, vertices, degree=degree)
         some, places = self._some(vertices, FEWER_EXACT)
+        self._groups[vertices] += LAYERS + 1
         values, inner = _of(found, len(vertices))[:, places], self._layers[some] == LAYERS
         for part, rings, factor in ((inner, 3, EXACT), (~inner, 4, EXACT_BESIDE)):
             other = self._assessed(some[part], 6, rings).values

@@ -26,7 +26,8 @@ PANELS = (
 @in_style
 def coverage_plot(table, quantities=("K", "H")) -> Figure:
     """Parts of the vertices within one (circles) and two (squares) standard errors, the mean over
-    surfaces, for one kind of noise with their range; grey: the nominal 68 and 95 %. `table`: coverage.csv."""
+    surfaces, for one kind of noise with their range; grey: the nominal 68 and 95 %. `table`:
+    coverage.csv."""
     shown = table.noise == "none"
     figure = Figure(figsize=(TEXT_WIDTH, 1.9 * len(quantities) + 0.5), layout="constrained")
     panels = figure.subplots(len(quantities), len(PANELS), sharey=True, squeeze=False)
