@@ -84,6 +84,9 @@ class Errors:
         # Noise drives k1 and k2 apart by the second order, but at an umbilic by the first.
         across, gap = noise * self._variances[4], values[2] - values[3]
         variance[2:] += across * np.minimum(1, across / np.maximum(gap * gap, 1e-300))
+        # Where neither is known, as of a few vertices apart from others: as elsewhere.
+        for x in variance:
+            x[x == 0] = np.median(x[x > 0]) if x.any() else 0
         return np.where(np.isfinite(values), np.sqrt(variance), np.nan)
 
     def _jet(self, vertices, degree, rings, fit="interpolation"):
@@ -159,8 +162,8 @@ OF = {
 def assessed(
     disk, degree: Literal[6, 4, 2, 3, 5] = 6, rings: Literal[3, 2, 4, 5, 6, 8, 10, 13] = 3
 ):
-    """K, H, k1, k2, d1 and d2 of the jet by approximation, as `jet` has them, and what
-    `curvlib.kit.variance` knows of it."""
+    """K, H, k1, k2, d1 and d2 of the jet of a `degree` by approximation over `rings` of a `disk`, as
+    `jet` has them, and what `curvlib.kit.variance` knows of it."""
     N = disk.normal
     X, Y = tangents(N)
     f, reached, disk = jet.fit_jet(disk, X, Y, N, degree, rings, False)
