@@ -162,8 +162,8 @@ OF = {
 def assessed(
     disk, degree: Literal[6, 4, 2, 3, 5] = 6, rings: Literal[3, 2, 4, 5, 6, 8, 10, 13] = 3
 ):
-    """K, H, k1, k2, d1 and d2 of the jet of a `degree` by approximation over `rings` of a `disk`, as
-    `jet` has them, and what `curvlib.kit.variance` knows of it."""
+    """K, H, k1, k2, d1 and d2 of the jet of a `degree` by approximation over `rings` of a `disk`,
+    as `jet` has them, and what `curvlib.kit.variance` knows of it."""
     N = disk.normal
     X, Y = tangents(N)
     f, reached, disk = jet.fit_jet(disk, X, Y, N, degree, rings, False)
