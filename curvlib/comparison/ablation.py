@@ -93,7 +93,7 @@ def hermite(
         f, found, derivatives = fit_hermite(disk, normals, X, Y, N, degree, slope, SINE)
         if found <= gain:
             return Coupled((f[0], f[1]), (f[2], f[3], f[4]), N, derivatives, disk.count)
-    f, _ = fit_jet(disk, X, Y, N, degree, 2 if degree == 4 else 3, True)
+    f, _, _ = fit_jet(disk, X, Y, N, degree, 2 if degree == 4 else 3, True)
     return Coupled((f[0], f[1]), (f[2], f[3], f[4]), N, disk.rows, 0)
 
 
