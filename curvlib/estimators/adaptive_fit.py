@@ -128,9 +128,9 @@ def estimate(passes):
     should be. For staircases exact is the sphere of the vertices' mean distance: that all of them
     lie off the surface is not known from the mesh. Near creases they mean nothing.
 
-    Cost: on a million exact vertices 22 to 28 times libigl's `gaussian_curvature`, of which
-    standard errors are a sixth; in noise, with balls of 11 edges, 110 times, and half as much again
-    for them.
+    Cost: on a million exact vertices 22 to 28 times libigl's `gaussian_curvature`, and on 200,000 4
+    to 5 times for standard errors; in noise, with balls of 11 edges, 110 times, and half as much
+    again for these.
 
     Order: that of what is taken; O(h^5) for degree 6.
 
