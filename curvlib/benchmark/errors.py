@@ -120,30 +120,3 @@ def orders(errors):
         slope = np.polyfit(x, y, 1)[0] if own.vertices_of_mesh.nunique() > 1 else np.nan
         rows.append(dict(zip(key, labels)) | {"order": slope, "points": len(own)})
     return pd.DataFrame(rows, columns=[*key, "order", "points"])
-
-
-def methods(plan):
-    """methods.csv: the calls, with the library of a peer, its version, and whether it is there."""
-    import pandas as pd
-
-    rows = []
-    for call in plan.calls():
-        row = {"estimator": str(call), "kind": "ours", "library": "", "version": "", "note": ""}
-        if call.estimator in peers.names():
-            row |= _library(call.estimator)
-        rows.append(row)
-    return pd.DataFrame(rows)
-
-
-def _library(name):
-    from importlib import metadata
-
-    required = peers.module(name).REQUIRES.split()
-    row = {"kind": "peer", "library": " ".join(required)}
-    versions = []
-    for distribution in required:
-        try:
-            versions.append(metadata.version(distribution))
-        except metadata.PackageNotFoundError:
-            return row | {"version": "", "note": "not installed"}
-    return row | {"version": " ".join(versions), "note": ""}

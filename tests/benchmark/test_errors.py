@@ -6,7 +6,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from curvlib.benchmark.errors import COLUMNS, error_rows, measured, meshes, methods, orders
+from curvlib.benchmark.errors import COLUMNS, error_rows, measured, meshes, orders
+from curvlib.benchmark.methods import methods, versions
 from curvlib.catalogue import families
 from curvlib.comparison.calls import Call
 from curvlib.estimation import estimate
@@ -132,3 +133,5 @@ def test_methods_name_libraries_and_versions():
     }
     assert theirs["library"] == "pyvista"
     assert theirs["version"] or theirs["note"] == "not installed"
+    found = versions(SimpleNamespace(peers=["vtk_curvatures"]))
+    assert found == ([f"vtk_curvatures {theirs['version']}"] if theirs["version"] else [])

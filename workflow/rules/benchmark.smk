@@ -2,6 +2,7 @@
 # installed of other libraries, on all families of meshes and under noise: results/benchmark/tables, figures,
 # the recommendation and the page "Which estimator should I use?". Not part of `all`: the study is about the
 # nine of 2003.
+from curvlib.benchmark.methods import versions
 from curvlib.benchmark.plan import Plan
 from curvlib.catalogue import families, implicit, peers
 
@@ -37,6 +38,8 @@ rule benchmark_errors:
         "../envs/curvlib.yaml"
     params:
         code=code("benchmark_errors", *RANKED, *MESHED),
+        # A library that is installed or updated joins.
+        libraries=lambda _: versions(PLAN),
     script:
         "../scripts/benchmark_errors.py"
 
@@ -54,6 +57,7 @@ rule benchmark_cost:
     threads: workflow.cores
     params:
         code=code("benchmark_cost", *RANKED),
+        libraries=lambda _: versions(PLAN),
     script:
         "../scripts/benchmark_cost.py"
 
@@ -72,6 +76,7 @@ rule benchmark_tables:
         "../envs/curvlib.yaml"
     params:
         code=code("benchmark_tables"),
+        libraries=lambda _: versions(PLAN),
     script:
         "../scripts/benchmark_tables.py"
 
@@ -96,21 +101,17 @@ rule benchmark_pages:
         "../scripts/benchmark_pages.py"
 
 
-def pictures(name):
-    return [BENCHMARK / f"figures/{name}.{kind}" for kind in ("svg", "png")]
-
-
 rule benchmark_plots:
     input:
         errors=rules.benchmark_tables.output.errors,
         situations=rules.benchmark_tables.output.situations,
         cost=rules.benchmark_cost.output.cost,
     output:
-        matrix=pictures("ranks"),
-        cost_K=pictures("error-against-cost-K"),
-        cost_H=pictures("error-against-cost-H"),
-        noise=pictures("noise"),
-        order=pictures("order"),
+        matrix=files_in(BENCHMARK / "figures", "ranks", "svg", "png"),
+        cost_K=files_in(BENCHMARK / "figures", "error-against-cost-K", "svg", "png"),
+        cost_H=files_in(BENCHMARK / "figures", "error-against-cost-H", "svg", "png"),
+        noise=files_in(BENCHMARK / "figures", "noise", "svg", "png"),
+        order=files_in(BENCHMARK / "figures", "order", "svg", "png"),
     log:
         BENCHMARK / "logs/plots.log",
     conda:

@@ -87,6 +87,11 @@ def installed_libraries(wildcards):
     return versions()
 
 
+def files_in(folder, name, *kinds):
+    """The files of a figure in a folder, one for each kind of file."""
+    return [folder / f"{name}.{kind}" for kind in kinds]
+
+
 def tables_in(folder, *names):
     """The files of tables in a folder of results, by their names with _ for -."""
     return {name.replace("-", "_"): folder / f"tables/{name}.csv" for name in names}

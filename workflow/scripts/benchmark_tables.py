@@ -3,7 +3,8 @@
 import pandas as pd
 
 from curvlib.benchmark.advice import advice, situations
-from curvlib.benchmark.errors import methods, orders
+from curvlib.benchmark.errors import orders
+from curvlib.benchmark.methods import methods
 from curvlib.benchmark.plan import Plan
 from curvlib.benchmark.ranking import ranked
 from curvlib.study.job import logged
