@@ -32,6 +32,7 @@ rule fits_parts:
             "hessians",
             "half",
             "map",
+            "measures",
             "voxel",
         ),
     log:

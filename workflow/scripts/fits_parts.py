@@ -6,6 +6,7 @@ from curvlib.comparison.contraction import contraction
 from curvlib.comparison.frontier import on
 from curvlib.comparison.held_out import CLOSED, KINDS
 from curvlib.comparison.moonshots import halves, seconds
+from curvlib.comparison.negatives import measures
 from curvlib.comparison.voxels import SPHERES, voxels
 from curvlib.study.job import logged
 
@@ -23,6 +24,7 @@ with logged(snakemake.log[0]):
     tables["hessians"] = seconds(on(round_ones, few[1:] or few))
     (shown,) = on([("wave", "jittered")], [n]).values()
     tables["map"] = over_square(shown)
+    tables["measures"] = measures(on(round_ones, few[1:] or few))
     tables["half"] = halves(on([("pear", "jittered"), ("bump", "jittered")], [n]), (0.01, 0.05), n)
     tables["voxel"] = voxels(list(SPHERES) if n >= 50 else list(SPHERES)[:1])
     for name, table in tables.items():
