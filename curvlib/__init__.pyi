@@ -32,6 +32,7 @@ def estimate(
     estimator: _Estimator | None = None,
     threads: int = 1,
     per: Literal["vertex", "face"] = "vertex",
+    creases: Literal["ignore", "one-sided", "nan"] | None = None,
     **options: Any,
 ) -> Estimates: ...
 @overload
@@ -40,5 +41,6 @@ def estimate(
     estimator: list[str] | list[_Estimator] | tuple[_Estimator, ...],
     threads: int = 1,
     per: Literal["vertex", "face"] = "vertex",
+    creases: Literal["ignore", "one-sided", "nan"] | None = None,
     **options: Any,
 ) -> dict[Any, Estimates]: ...

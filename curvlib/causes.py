@@ -38,8 +38,9 @@ def causes_at_triangles(mesh, lacking, used):
     }
 
 
-def causes_at_vertices(mesh, lacking, given, index=None):
-    """Cause -> number of the vertices `lacking` (V,) bool a value; `index` as in Estimates."""
+def causes_at_vertices(mesh, lacking, given, index=None, crease=None):
+    """Cause -> number of the vertices `lacking` (V,) bool a value; `index` and `crease` as in
+    Estimates."""
     used = np.zeros(len(lacking), dtype=bool)
     used[mesh.faces] = True
     usable, boundary = _stars(mesh, given)[0], mesh.boundary
@@ -51,6 +52,9 @@ def causes_at_vertices(mesh, lacking, given, index=None):
         causes[NOWHERE] = (lacking & beside).sum()
         lacking = lacking & ~beside
     causes["no triangle"] = (lacking & ~used).sum()
+    if crease is not None:
+        causes["crease"] = (lacking & crease).sum()
+        lacking = lacking & ~crease
     open_ = lacking & used & ~usable
     if given in DISKS:
         causes["triangles that form no disk or half-disk"] = open_.sum()

@@ -7,7 +7,9 @@ from .errors import InputError, check_name
 EXACT = ("K", "H", "k1", "k2", "d1", "d2")  # a surface has them, too
 DERIVED = ("shape_index", "curvedness", "category", "bending_energy")
 ERRORS = ("K_error", "H_error", "k1_error", "k2_error")
-QUANTITIES = (*EXACT, *DERIVED, *ERRORS)
+CREASE = "crease"  # where creases were looked for
+QUANTITIES = (*EXACT, *DERIVED, *ERRORS, CREASE)
+CODES = ("category", CREASE)  # numbers without a mean
 # The categories of the shape index, code by code, and the last where the surface is flat.
 CATEGORIES = (
     "cup",

@@ -36,6 +36,8 @@ class Estimates:
         the mesh's box is below 0.001.
     K_error, H_error, k1_error, k2_error : ndarray of float64, (V,), or None
         Standard errors of K, H, k1 and k2; None where the estimator does not return them.
+    crease : ndarray of bool, (V,), or None
+        On a crease (`curvlib.meshes.creases`), of a triangle an edge; None where not looked for.
     choice : curvlib.kit.tensor.Choice or None
         What an estimator that chooses took at each vertex: `choice.calls[choice.index[v]]`.
     returned : tuple of str
@@ -74,16 +76,18 @@ class Estimates:
         welded=None,
         index=None,
         choice=None,
+        crease=None,
     ):
         """`found`: the arrays that the estimator returned, by name; `given`: what it was given;
-        `welded` and `index`: as `curvlib.weld` returns them, where `mesh` has been welded."""
+        `welded` and `index`: as `curvlib.weld` returns them; other values are those of `welded`."""
         self.mesh, self.per = mesh, per
         self.used, self._given, self._index = mesh if welded is None else welded, given, index
         if index is not None and per == "vertex":
             found = {name: values[index] for name, values in found.items()}
             choice = choice and choice._replace(index=choice.index[index])
+            crease = None if crease is None else crease[index]
         self._found = {name: x for name, x in found.items() if not name.endswith("_error")}
-        self.choice = choice
+        self.choice, self.crease = choice, crease
         count = len(mesh.vertices if per == "vertex" else mesh.faces)
         self.d1, self.d2 = found.get("d1"), found.get("d2")
         self.K_error, self.H_error = found.get("K_error"), found.get("H_error")
@@ -183,7 +187,7 @@ class Estimates:
         if self.per == "face":
             causes = causes_at_triangles(self.mesh, lacking, self.used)
         else:
-            causes = causes_at_vertices(self.used, lacking, self._given, self._index)
+            causes = causes_at_vertices(self.used, lacking, self._given, self._index, self.crease)
         causes["umbilic, without d1 and d2"] = (undirected & ~lacking).sum()
         return {cause: int(n) for cause, n in causes.items() if n}
 
@@ -242,22 +246,6 @@ class Estimates:
         return f"<Estimates of {names} at {len(self.K)} {places}>"
 
     def _repr_html_(self):
-        """A table of quantiles over the area, for notebooks."""
-        from .columns import CATEGORIES, columns
-        from .regions import PROBABILITIES, quantiles, shares
+        from .notebooks import as_html
 
-        heads = "".join(f"<th>{100 * p:.0f} %</th>" for p in PROBABILITIES)
-        rows = [
-            f"<tr><th>{name}</th>{''.join(f'<td>{x:.4g}</td>' for x in found)}</tr>"
-            for name, values in columns(self).items()
-            if values.ndim == 1 and name != "category"
-            for found in [quantiles(self.mesh, values, self.per)]
-        ]
-        parts = zip(CATEGORIES, shares(self.mesh, self.category, len(CATEGORIES), self.per))
-        shapes = ", ".join(f"{name} {part:.0%}" for name, part in parts if part >= 0.005)
-        lacking = ", ".join(f"{n} {cause}" for cause, n in self.undefined.items()) or "nowhere"
-        return (
-            f"<p>{repr(self)[1:-1]}; undefined: {lacking}</p>"
-            f"<table><tr><th>over the area</th>{heads}</tr>{''.join(rows)}</table>"
-            f"<p>Shape by area: {shapes or 'undefined'}</p>"
-        )
+        return as_html(self)

@@ -10,6 +10,7 @@ from .errors import InputError, check_name
 from .estimates import Estimates
 from .meshes.exchange import as_mesh
 from .passes import run
+from .sides import IGNORE, Sides, mode_of
 from .signatures import Signature, resolved
 from .task import Task
 
@@ -29,7 +30,7 @@ def recommended(per: str, options) -> str:
     return "quadric" if options else "adaptive_fit"
 
 
-def estimate(mesh, estimator=None, threads: int = 1, per: str = "vertex", **options):
+def estimate(mesh, estimator=None, threads: int = 1, per: str = "vertex", creases=None, **options):
     """Estimate curvature at the vertices of a triangle mesh.
 
     Parameters
@@ -49,6 +50,13 @@ def estimate(mesh, estimator=None, threads: int = 1, per: str = "vertex", **opti
         Number of threads; values do not depend on it.
     per : {"vertex", "face"}
         Values at the vertices, or at the triangles' centres, of an estimator that names it in PER.
+    creases : {"ignore", "one-sided", "nan"}, optional
+        "one-sided": where a surface has creases, along which its normal turns or its curvature
+        changes within an edge, the mesh is cut along them (`curvlib.meshes.creases`), so that no
+        value mixes two sides. A vertex on a crease has the value of the larger side, by the area of
+        the connected piece, then by that of its triangles; `Estimates.crease` flags it. "nan": it
+        has none. By default what the estimator names in CREASES: "one-sided" for `adaptive_fit`,
+        "ignore" for the others.
     **options
         Options of the estimator, its readings; of a list, each member has to know them.
 
@@ -91,19 +99,34 @@ def estimate(mesh, estimator=None, threads: int = 1, per: str = "vertex", **opti
     if not isinstance(threads, Integral) or threads < 1:
         raise InputError(f"threads: {threads!r} is not a number of at least 1")
     several = isinstance(estimator, (list, tuple))
-    tasks = {
-        each: Task(_checked(Signature.of(*resolved(each)), per), options, mesh, per)
+    signatures = {
+        each: _checked(Signature.of(*resolved(each)), per)
         for each in (estimator if several else [estimator])
     }
-    kinds = dict.fromkeys(task.given for task in tasks.values())
+    modes = {each: mode_of(creases, signature) for each, signature in signatures.items()}
+    for signature in signatures.values():
+        signature.chosen(options)  # a wrong one is told before a mesh is cut
+    kinds = dict.fromkeys(signature.given for signature in signatures.values())
     welded, index = joined(mesh, next(iter(kinds), "ring"))
-    run(welded, list(tasks.values()), threads)
+    sides = Sides(welded, threads) if {*modes.values()} - {IGNORE} else None
+    tasks = {
+        each: Task(signature, options, welded if modes[each] == IGNORE else sides.mesh, per)
+        for each, signature in signatures.items()
+    }
+    for cut in (False, True):
+        some = [task for each, task in tasks.items() if (modes[each] != IGNORE) == cut]
+        if some:
+            run(sides.mesh if cut else welded, some, threads)
     for given in kinds:
         warn_of_undefined(welded, given, index)
-    results = {
-        each: Estimates(mesh, task.arrays, task.given, per, welded, index, task.choice)
-        for each, task in tasks.items()
-    }
+    results = {}
+    for each, task in tasks.items():
+        found, choice, crease = task.arrays, task.choice, None
+        if modes[each] != IGNORE:
+            crease = sides.at_vertices if per == "vertex" else sides.at_faces
+            if per == "vertex":
+                found, choice = sides.brought_back(found, choice, modes[each])
+        results[each] = Estimates(mesh, found, task.given, per, welded, index, choice, crease)
     return results if several else results[estimator]
 
 

@@ -14,7 +14,7 @@ from .kit.options import Geodesic, Length, Lengths, Option
 # Valid names of an estimator's first parameter, which say what it is given.
 GIVEN = ("ring", "disk", "ball", "mesh", "passes")
 # Parameters of `curvlib.estimate` itself: no option can have such a name.
-RESERVED = ("mesh", "estimator", "threads", "per")
+RESERVED = ("mesh", "estimator", "threads", "per", "creases")
 
 
 def readings(estimator) -> dict[str, tuple]:
@@ -54,6 +54,8 @@ class Signature:
         Whether an option of it is a Geodesic.
     per : tuple
         "vertex", and "face" where it can be run over the centres of triangles: PER in its file.
+    creases : str
+        What it does at creases where nothing is asked for: CREASES in its file, "ignore" without.
     options : dict
         Name -> valid values, the default first.
     parts : dict
@@ -72,6 +74,7 @@ class Signature:
     def __init__(self, name, function, above=()):
         self.name, self.function, self.field = name, function, None
         self.per = _globals(function).get("PER", ("vertex",))
+        self.creases = _globals(function).get("CREASES", "ignore")
         try:
             # Annotations may be text: `from __future__ import annotations`.
             signature = inspect.signature(function, eval_str=True)

@@ -64,7 +64,7 @@ def _quantities(context, parameter, begun):
     metavar="NAME",
     shell_complete=_quantities,
     help="Of K H k1 k2 d1 d2 shape_index curvedness category bending_energy K_error H_error "
-    "k1_error k2_error; may be repeated. Default: all that there are.",
+    "k1_error k2_error crease; may be repeated. Default: all that there are.",
 )
 @click.option(
     "--c0",
@@ -72,6 +72,12 @@ def _quantities(context, parameter, begun):
     default=0.0,
     metavar="C0",
     help="Spontaneous curvature of the bending energy (2 H - C0)^2 / 2. Default: 0.",
+)
+@click.option(
+    "--creases",
+    type=click.Choice(["ignore", "one-sided", "nan"]),
+    help="Where the surface bends sharply: cut there, with the values of the larger side or none. "
+    "Default: one-sided of adaptive_fit, ignore of others.",
 )
 @click.option("--per", type=click.Choice(["vertex", "face"]), help="Default: vertex.")
 @click.option(
@@ -170,7 +176,9 @@ def _run(path, names, out, png, per, columns, by, options):
         given = options_of(name, options)
         start = time.perf_counter()
         with progress_of_work(name):
-            found = curvlib.estimate(mesh, name, threads=options["threads"], per=per, **given)
+            found = curvlib.estimate(
+                mesh, name, options["threads"], per, options["creases"], **given
+            )
         told["seconds"] += time.perf_counter() - start
         own = _chosen(name, named(found, columns, options["c0"]), options["quantities"])
         first = first or next(iter(_numbers(own).items()), None)
@@ -219,9 +227,9 @@ def _chosen(name, columns, quantities):
 
 def _numbers(columns, among=None):
     """The columns of numbers that are no codes, of those `among` them if any is."""
+    from curvlib.columns import CODES
+
     found = {
-        column: x
-        for column, x in columns.items()
-        if x.ndim == 1 and not column.startswith("category")
+        column: x for column, x in columns.items() if x.ndim == 1 and not column.startswith(CODES)
     }
     return {column: x for column, x in found.items() if column in (among or found)} or found

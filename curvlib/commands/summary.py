@@ -9,19 +9,21 @@ LEAST_SHARE = 0.005
 def document(estimates, named, options, c0):
     """Quantiles over the area of the columns `named` that are numbers, integrals, the shares of
     the categories, and counts of what is undefined."""
-    from curvlib.columns import CATEGORIES
+    from curvlib.columns import CATEGORIES, CODES
     from curvlib.regions import PROBABILITIES, quantiles, shares
 
     mesh, per = estimates.mesh, estimates.per
     spread = {
         name: dict(zip(map(str, PROBABILITIES), quantiles(mesh, values, per)))
         for name, values in named.items()
-        if values.ndim == 1 and name != "category"
+        if values.ndim == 1 and name not in CODES
     }
     parts = shares(mesh, estimates.category, len(CATEGORIES), per)
     return {
         "options": options,
         "undefined": estimates.undefined,
+        "places": "vertices" if per == "vertex" else "triangles",
+        "crease": None if estimates.crease is None else int(estimates.crease.sum()),
         "choice": _taken(estimates),
         "relative_errors": _relative_errors(estimates),
         "quantiles": spread,
@@ -55,6 +57,8 @@ def text(name, told):
     if parts:
         lines.append(f"  shape by area: {parts}")
     lines += [f"  {100 * part:.3g} % by {call}" for call, part in told["choice"].items()]
+    if told["crease"]:
+        lines.append(f"  on creases: {told['crease']} {told['places']}")
     undefined = ", ".join(f"{n} {cause}" for cause, n in told["undefined"].items())
     lines.append(f"  undefined: {undefined or 'nowhere'}")
     return "\n".join(lines)

@@ -17,7 +17,8 @@ a disk, (V,) and (3, V) where it is given the mesh; None for what it does not es
 write to a ring: a file from elsewhere gets its own copy. Two passes: a second parameter without
 default has the name of a function beside `estimate`, which is run at all vertices first; `estimate`
 is given its values at the vertex and around it. PER = ("vertex", "face") says that a disk may also
-be that of a triangle's centre among others.
+be that of a triangle's centre among others, CREASES = "one-sided" or "nan" that a mesh is cut along
+its creases first.
 
 Compiled code runs fast and on several threads; without the decorator it is NumPy on the same
 arrays. The nine of the paper are Python that calls compiled functions: one that several estimators

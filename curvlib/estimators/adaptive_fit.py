@@ -17,6 +17,8 @@ LABEL = "Adaptive fit"
 SOURCE = "https://doi.org/10.1016/j.cagd.2004.09.004"
 STYLE = {"color": "#000000", "marker": "P", "linestyle": "-"}
 GLOBAL = "the choice is made from vertices all over the mesh"
+# What it does at creases of a mesh.
+CREASES = "one-sided"
 PRECISION = compact_hermite.PRECISION
 
 # Of searches for displaced vertices.

@@ -76,7 +76,8 @@ def estimate(disk, fitted, degree: Literal[6, 4, 5] = 6):
 
     On noise its errors of K are 1.5 to 1.7 times those of the jet of degree 6 over 3 rings, and 4
     times those of degree 4 over 3. It is the best for vertices that are exact to 1e-5 of an edge.
-    Stencils are compact, the reach is not: behind a crease errors fall by 3 to 4 from edge to edge.
+    Stencils are compact, the reach is not: behind a crease errors fall by 3 to 4 from edge to edge,
+    unless the mesh is cut there (`creases` of `curvlib.estimate`).
 
     Memory: 0.9 kB a vertex at degree 6 and 5, 0.5 kB at 4.
 

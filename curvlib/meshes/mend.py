@@ -110,7 +110,7 @@ def _fans(mesh, welded, index, among):
     one = np.concatenate((start[first], end[first]))
     other = np.concatenate((end[second], start[second]))
     pairs = np.column_stack((one, other))[among[one] & among[other]]
-    return _connected(pairs, len(index))
+    return connected(pairs, len(index))
 
 
 def _groups(points, distance):
@@ -121,10 +121,10 @@ def _groups(points, distance):
     from scipy.spatial import cKDTree
 
     pairs = cKDTree(points).query_pairs(distance, output_type="ndarray")
-    return _connected(pairs, len(points))
+    return connected(pairs, len(points))
 
 
-def _connected(pairs, count):
+def connected(pairs, count):
     """(count,) the number of each one's component."""
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components

@@ -8,6 +8,7 @@ import numpy as np
 import pandas
 import pyvista
 import trimesh
+from sharp import block
 
 import curvlib
 from curvlib.meshes.torus import torus
@@ -257,3 +258,18 @@ def test_info_tells_noise_and_staircase(ball, run):
     assert "a staircase: the edges are steps of a lattice" in out
     assert "normals averaged over balls that do not see its steps" in out
     assert "curvlib estimate ball.ply -o values.vtp" in run("info", "ball.ply")[1]
+
+
+def test_creases_are_told_and_written(tmp_path, monkeypatch, run):
+    monkeypatch.chdir(tmp_path)
+    mesh = block(10)
+    pyvista.PolyData.from_regular_faces(mesh.vertices, mesh.faces).save("block.ply")
+    status, out, _ = run("estimate", "block.ply", "-o", "out.vtp")
+    assert status == 0
+    assert "on creases: 116 vertices" in out
+    assert pyvista.read("out.vtp")["crease"].sum() == 116
+    status, out, _ = run("estimate", "block.ply", "-e", "jet", "--creases", "nan", "--json")
+    document = json.loads(out)["estimators"]["jet"]
+    assert (status, document["crease"], document["undefined"]["crease"]) == (0, 116, 116)
+    status, out, _ = run("estimate", "block.ply", "-e", "jet", "--json")
+    assert (status, json.loads(out)["estimators"]["jet"]["crease"]) == (0, None)
