@@ -53,10 +53,14 @@ def contents(sdist, wheel):
         print(f"{path.name}: {size / 1e6:.2f} MB")
 
 
+def project():
+    """What pyproject.toml says of the package."""
+    return tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+
 def pythons():
     """The oldest and the newest Python that is claimed and here: version -> interpreter."""
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    claimed = re.findall(r"Python :: (3\.\d+)", "\n".join(project["classifiers"]))
+    claimed = re.findall(r"Python :: (3\.\d+)", "\n".join(project()["classifiers"]))
     found = {version: python for version in claimed if (python := interpreter(version))}
     for version in sorted(set(claimed) - set(found)):
         print(f"Python {version}: claimed, not on this machine")
@@ -83,7 +87,8 @@ def tried(wheel, python, lowest):
         place = Path(folder)
         run("uv", "venv", "--quiet", "--seed", "--python", python, place / "venv")
         own = place / "venv/bin/python"
-        oldest = ["--resolution", "lowest-direct"] if lowest else []
+        # Bounds are sought for requirements that are named here, not for those of the wheel.
+        oldest = ["--resolution", "lowest-direct", *project()["dependencies"]] if lowest else []
         run("uv", "pip", "install", "--quiet", "--python", own, *oldest, wheel)
         run(own, "-m", "pip", "check")
         (place / "work").mkdir()
