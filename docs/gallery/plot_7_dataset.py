@@ -39,3 +39,7 @@ axes.set(xlabel="n", ylabel="median error of K, 1/length^2")
 axes.set_title("Error against resolution on a regular and on a jittered grid")
 axes.legend()
 axes.figure.tight_layout()
+
+# %%
+# ``snakemake dataset`` packs all meshes with their description into one archive, and ``snakemake
+# dataset_parquet`` into one Parquet file, a row per mesh with its PLY in the column ``mesh``.

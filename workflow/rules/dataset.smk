@@ -47,3 +47,21 @@ rule dataset:
         code=code("dataset"),
     script:
         "../scripts/dataset.py"
+
+
+rule dataset_parquet:
+    input:
+        [study.library / file for mesh in sorted(MESHES) for file in mesh_files(*mesh)],
+    output:
+        study.results / f"dataset/curvature-library-{__version__}.parquet",
+    log:
+        study.results / "logs/dataset_parquet.log",
+    conda:
+        "../envs/curvlib.yaml"
+    params:
+        meshes=sorted(MESHES),
+        surfaces=SURFACES,
+        folder=study.library,
+        code=code("dataset_parquet"),
+    script:
+        "../scripts/dataset_parquet.py"
