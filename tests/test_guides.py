@@ -10,10 +10,11 @@ import pytest
 ROOT = Path(__file__).parents[1]
 
 
-DOCS = [path.relative_to(ROOT).as_posix() for path in sorted(ROOT.glob("docs/[!_g]*/*.md"))]
+PAGES = [*ROOT.glob("docs/*.md"), *ROOT.glob("docs/[!_g]*/*.md")]
+DOCS = sorted(path.relative_to(ROOT).as_posix() for path in PAGES)
 
 
-@pytest.mark.parametrize("guides", [["README.md"], ["CONTRIBUTING.md"], ["docs/start.md", *DOCS]])
+@pytest.mark.parametrize("guides", [["README.md"], ["CONTRIBUTING.md"], DOCS])
 def test_python_in_the_guides(guides, tmp_path):
     """Blocks run one after the other; one that begins with `# name.py` is that file."""
     text = "\n".join((ROOT / guide).read_text(encoding="utf-8") for guide in guides)
