@@ -150,11 +150,6 @@ def drawn(figures, question, kinds=("svg", "png")):
     return [reported(FIGURES / f"{f}.{kinds[0]}", question, f) for f in figures] + others
 
 
-def pictures_in(folder, name):
-    """The files of a figure in a folder of results."""
-    return [folder / f"figures/{name}.{kind}" for kind in ("svg", "png")]
-
-
 wildcard_constraints:
     surface="|".join(map(re.escape, SURFACES)),
     estimator="|".join(map(re.escape, ESTIMATORS)),
