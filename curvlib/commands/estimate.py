@@ -5,6 +5,7 @@ from pathlib import Path
 
 import click
 
+from .first_use import compiled_beside
 from .mending import mended
 from .options import options_of
 from .summary import document, regions, text
@@ -114,10 +115,11 @@ def command(meshes, names, output, per, columns, by, picture, **options):
     per = per or ("face" if columns == "pycurv" else "vertex")
     outputs = _outputs(meshes, output, per), _outputs(meshes, picture, None)
     told = []
-    for mesh, out, png in progress(list(zip(meshes, *outputs)), lambda item: item[0]):
-        with told_warnings() as warnings, told_of_compiling():
-            found = _run(mesh, names, out, png, per, columns, by, options)
-        told.append(found | {"warnings": warnings})
+    with compiled_beside(names):
+        for mesh, out, png in progress(list(zip(meshes, *outputs)), lambda item: item[0]):
+            with told_warnings() as warnings, told_of_compiling():
+                found = _run(mesh, names, out, png, per, columns, by, options)
+            told.append(found | {"warnings": warnings})
     if options["as_json"]:
         put_json(told if len(told) > 1 else told[0])
 

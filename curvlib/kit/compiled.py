@@ -158,6 +158,12 @@ def _identity(functions):
     return text.hexdigest()[:16]
 
 
+def is_kept(function) -> bool:
+    """Whether machine code of a compiled function is on disk; true where none can be kept."""
+    cache = function._cache
+    return not isinstance(cache, _Kept) or Path(cache._cache_file._index_path).exists()
+
+
 class _Kept(caching.FunctionCache):
     """Machine code of one function on disk; a file that cannot be read or written is no error."""
 

@@ -50,7 +50,7 @@ def solve(blocks, own, threads):
     for _ in range(SWEEPS):
 
         def swept(block, now=now, after=after):
-            return _sweep(block, own, now, after)
+            return sweep(block, own, now, after)
 
         # The sums of blocks do not depend on the threads.
         change = math.sqrt(math.fsum(for_each(swept, blocks, threads)))
@@ -63,8 +63,9 @@ def solve(blocks, own, threads):
 
 
 @compiled
-def _sweep(block, own, now, after):
-    """Set `after`; the sum of squares of changes."""
+def sweep(block, own, now, after):
+    """Set `after` (V, 2), the unknowns that follow from `now` by the Equations of a block; the sum
+    of squares of changes."""
     total, last = 0.0, own.shape[1] - 1
     for k in range(len(block.offsets) - 1):
         v = block.start + k
