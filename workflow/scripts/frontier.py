@@ -21,4 +21,5 @@ with logged(snakemake.log[0]):
         resolutions=list(params.resolutions),
         elsewhere=elsewhere,
         constants=constants(),
+        covered=params.covered,
     )
