@@ -110,7 +110,7 @@ def obtained(names=tuple(MESHES), threads: int = 1) -> pd.DataFrame:
         if name not in MESHES:
             raise InputError(f"mesh {name!r} of 2020: there are {', '.join(MESHES)}")
         mesh = MESHES[name]()
-        beside = {"adaptive_fit": estimate(mesh, "adaptive_fit", threads)}
+        beside, balls = {"adaptive_fit": estimate(mesh, "adaptive_fit", threads)}, {}
         size = 10.0 if name == "torus-25-10" else float(name.rpartition("-")[2])
         per_vertex, centres = exact(name, mesh.vertices), mesh.vertices[mesh.faces].mean(1)
         theirs = published[published.mesh == name]
@@ -119,8 +119,10 @@ def obtained(names=tuple(MESHES), threads: int = 1) -> pd.DataFrame:
             found, elements = _method(mesh, method, hit, threads)
             others = dict(beside)
             if not math.isnan(hit):
-                chord = 2 * size * math.sin(min(math.pi * hit / 4 / size, math.pi / 2))
-                others["ball_regression"] = estimate(mesh, "ball_regression", threads, radius=chord)
+                if hit not in balls:
+                    chord = 2 * size * math.sin(min(math.pi * hit / 4 / size, math.pi / 2))
+                    balls[hit] = estimate(mesh, "ball_regression", threads, radius=chord)
+                others["ball_regression"] = balls[hit]
             truth = exact(name, centres)
             for row in own.itertuples():
                 quantity, ours = row.quantity, math.nan
