@@ -132,6 +132,8 @@ rule claims_2020:
         **tables("claims-2020", "claims-2020-sentences"),
     log:
         BENCHMARK / "logs/claims_2020.log",
+    # The longest job: votes over half a sphere of 18,384 triangles. It starts first.
+    priority: 1
     conda:
         "../envs/curvlib.yaml"
     params:
