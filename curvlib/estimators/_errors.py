@@ -86,7 +86,8 @@ class Errors:
         variance[2:] += across * np.minimum(1, across / np.maximum(gap * gap, 1e-300))
         # Where neither is known, as of a few vertices apart from others: as elsewhere.
         for x in variance:
-            x[x == 0] = np.median(x[x > 0]) if x.any() else 0
+            positive = x[x > 0]
+            x[x == 0] = np.median(positive) if len(positive) else 0
         return np.where(np.isfinite(values), np.sqrt(variance), np.nan)
 
     def _jet(self, vertices, degree, rings, fit="interpolation"):
