@@ -1,5 +1,6 @@
 """Fields that are solutions of equations between vertices: against a dense solution."""
 
+import itertools
 from typing import Literal
 
 import numpy as np
@@ -100,6 +101,8 @@ def test_equations_without_a_stable_solution(mesh):
 
 
 def test_no_disk():
-    broken = curvlib.Mesh(np.eye(3), [[0, 1, 2], [0, 1, 2]])
+    """Each edge of all triangles on five points has three of them."""
+    points = np.random.default_rng(1).normal(size=(5, 3))
+    broken = curvlib.Mesh(points, list(itertools.combinations(range(5), 3)))
     found = curvlib.estimate(broken, estimate)
     assert np.isnan(found.K).all()
