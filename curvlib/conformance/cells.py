@@ -17,6 +17,7 @@ from curvlib.parallel import for_each
 from .functions import CHECKS
 
 LIMIT = 60  # seconds of processor time of a check
+WAIT = 10  # as many limits of any time, for all checks of a process
 OURS = ("gauss_bonnet", "quadric", "adaptive_fit")
 COLUMNS = (
     "library",
@@ -43,7 +44,8 @@ def table(names=None, ours=OURS, threads: int = 1, limit: float = LIMIT):
         Names of estimators.
     threads : int
     limit : float
-        Seconds of processor time after which a check has failed, and twenty times as many of any.
+        Seconds of processor time after which a check has failed; a process has WAIT times as many
+        of any.
 
     Returns
     -------
@@ -131,7 +133,7 @@ def _run(name, checks, limit):
     with tempfile.TemporaryFile("w+", encoding="utf-8") as lines:
         try:
             # By processor time the process ends itself; this is for one that waits forever.
-            wait = 20 * limit * len(checks)
+            wait = WAIT * limit
             code = subprocess.run(code, stdout=lines, stderr=subprocess.DEVNULL, timeout=wait)
             ended = _ended(code.returncode, limit)
         except subprocess.TimeoutExpired:
