@@ -1,11 +1,10 @@
 """What each estimator of the benchmark costs: processor time, in pairs with a reference."""
 
-import statistics
+import functools
 import time
 
-import numpy as np
-
 from curvlib.catalogue import peers
+from curvlib.comparison.turns import in_turn
 from curvlib.errors import InputError
 from curvlib.estimation import estimate
 from curvlib.meshes.torus import torus
@@ -22,28 +21,18 @@ def cost(plan):
     """
     import pandas as pd
 
-    vertices, faces = torus(plan.cost, "irregular")
-    rows = []
+    mesh, rows = torus(plan.cost, "irregular"), []
+    reference, count = functools.partial(estimate, mesh, REFERENCE), len(mesh[0])
     for call in plan.calls():
+        run = functools.partial(estimate, mesh, call.estimator, **call.options)
         try:
             estimate(torus(16, "irregular"), call.estimator, **call.options)
-            _seconds(call.estimator, call.options, vertices, faces)
+            run()
         except Exception as error:
             if call.estimator in peers.names() and not isinstance(error, MemoryError):
                 continue
             raise InputError(f"{call}: {error}") from error
-        own, ratios, start = [], [], time.process_time()
-        while not own or (len(own) < RUNS and time.process_time() - start < SECONDS):
-            beside = _seconds(REFERENCE, {}, vertices, faces)
-            own.append(_seconds(call.estimator, call.options, vertices, faces))
-            ratios.append(own[-1] / beside)
-        micro = 1e6 * statistics.median(own) / len(vertices)
-        row = {"estimator": str(call), "vertices": len(vertices), "microseconds": micro}
-        rows.append(row | {"ratio": float(np.median(ratios))})
+        seconds, ratio = in_turn(run, reference, time.process_time, RUNS, SECONDS)
+        row = {"estimator": str(call), "vertices": count, "microseconds": 1e6 * seconds / count}
+        rows.append(row | {"ratio": ratio})
     return pd.DataFrame(rows)
-
-
-def _seconds(estimator, options, vertices, faces):
-    start = time.process_time()
-    estimate((vertices, faces), estimator, **options)
-    return time.process_time() - start

@@ -3,7 +3,7 @@
 Times are those of the processor, on one thread: what else runs on the machine disturbs them least.
 """
 
-import statistics
+import functools
 import time
 from typing import Literal
 
@@ -22,6 +22,7 @@ from curvlib.passes import Passes
 from .calls import Call
 from .frontier import NEW, PEERS, REFERENCE, installed
 from .references import principal_axes
+from .turns import in_turn
 
 LIBIGL, OURS = "libigl gaussian_curvature", "gauss_bonnet"
 RUNS, SECONDS = 7, 4.0  # a method is run until one of these is reached
@@ -68,25 +69,16 @@ def cost(side: int) -> pd.DataFrame:
     for method, run in runs.items():
         for f in (run, against):  # compiled before, all that the choice may take
             f(*torus(40, "irregular"))
-        own, ratios, start = [], [], time.process_time()
-        while len(own) < 1 or (len(own) < RUNS and time.process_time() - start < SECONDS):
-            beside = _seconds(against, vertices, faces)
-            own.append(_seconds(run, vertices, faces))
-            ratios.append(own[-1] / beside)
-        micro = 1e6 * statistics.median(own) / len(vertices)
+        own, beside = (functools.partial(f, vertices, faces) for f in (run, against))
+        seconds, ratio = in_turn(own, beside, time.process_time, RUNS, SECONDS)
+        micro = 1e6 * seconds / len(vertices)
         row = {"method": method, "vertices": len(vertices), "microseconds": micro}
-        rows.append(row | {"ratio": statistics.median(ratios), "reference": reference})
+        rows.append(row | {"ratio": ratio, "reference": reference})
     return pd.DataFrame(rows)
 
 
 def _run(estimator, options):
     return lambda vertices, faces: estimate((vertices, faces), estimator, **options)
-
-
-def _seconds(run, *arguments):
-    start = time.process_time()
-    run(*arguments)
-    return time.process_time() - start
 
 
 @kernel

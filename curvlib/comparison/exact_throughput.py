@@ -2,12 +2,13 @@
 
 import itertools
 import statistics
+import time
 
 import numpy as np
 
 from curvlib.surfaces._named import surface as load
 
-from .throughput import seconds_of
+from .turns import seconds_of
 
 
 def exact_rows(name="teapot_spout", scattered=10_000, side=1000):
@@ -54,8 +55,8 @@ def exact_rows(name="teapot_spout", scattered=10_000, side=1000):
             seconds, ratios = [], []
             run(*(t.ravel()[:9] for t in points))
             for _ in range(3):
-                ours = seconds_of(surface.curvature, *points)
-                seconds.append(seconds_of(run, *points))
+                ours = seconds_of(time.perf_counter, surface.curvature, *points)
+                seconds.append(seconds_of(time.perf_counter, run, *points))
                 ratios.append(ours / seconds[-1])
             row = {"method": method, "arrangement": arrangement, "points": count}
             row["seconds"] = statistics.median(seconds)

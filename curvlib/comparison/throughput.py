@@ -6,7 +6,6 @@ row as JSON: each has a process, and so a peak memory, of its own.
 
 import functools
 import json
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -20,6 +19,7 @@ from curvlib.estimation import estimate
 from curvlib.meshes.torus import torus
 
 from .calls import calls
+from .turns import in_turn
 
 REFERENCE = "libigl gaussian_curvature"
 SECONDS, RUNS = 3.0, 9  # a method is run until one of these is reached, at least twice
@@ -83,14 +83,15 @@ def measure(method: str, threads: int, vertices, faces) -> dict:
         reference = PEERS[REFERENCE]()
     except ImportError:
         reference = None
-    seconds, ratios, start = [], [], time.perf_counter()
-    while len(seconds) < 2 or (len(seconds) < RUNS and time.perf_counter() - start < SECONDS):
-        against = seconds_of(reference, vertices, faces, 1) if reference else np.nan
-        seconds.append(seconds_of(run, vertices, faces, threads))
-        ratios.append(seconds[-1] / against)
-    row["seconds"] = statistics.median(seconds)
+    row["seconds"], row["ratio"] = in_turn(
+        functools.partial(run, vertices, faces, threads),
+        reference and functools.partial(reference, vertices, faces, 1),
+        time.perf_counter,
+        RUNS,
+        SECONDS,
+        least=2,
+    )
     row["vertices_per_second"] = len(vertices) / row["seconds"]
-    row["ratio"] = statistics.median(ratios)
     return row | {"bytes_per_vertex": peak / len(vertices), "note": ""}
 
 
@@ -128,12 +129,6 @@ def rows(sizes, kinds=("regular", "irregular"), threads=(1, 2)):
                         measured = row(method, count)
                         slow[method, kind] = measured.get("seconds", 0) / measured["vertices"]
                         yield {"mesh": kind} | measured
-
-
-def seconds_of(run, *arguments):
-    start = time.perf_counter()
-    run(*arguments)
-    return time.perf_counter() - start
 
 
 def _peak():
