@@ -30,7 +30,8 @@ class Sides:
 
     def __init__(self, mesh, threads):
         from .meshes.creases import creases
-        from .meshes.cutting import cut, larger_sides
+        from .meshes.cutting import cut, larger_sides, on_edges
+        from .meshes.mend import Edges
 
         edges = creases(mesh, threads)
         self.at_vertices = np.zeros(len(mesh.vertices), bool)
@@ -38,10 +39,7 @@ class Sides:
         self.at_faces = np.zeros(len(mesh.faces), bool)
         self.mesh, self._taken = mesh, None
         if len(edges):
-            keys = edges.astype(np.int64) @ np.array((len(mesh.vertices), 1))
-            for k in range(3):
-                ends = np.sort(np.stack((mesh.faces[:, k], mesh.faces[:, k - 1]), 1), axis=1)
-                self.at_faces |= np.isin(ends @ np.array((len(mesh.vertices), 1)), keys)
+            self.at_faces = on_edges(Edges(mesh.faces), edges).reshape(-1, 3).any(1)
             self.mesh, index = cut(mesh, edges)
             self._taken = larger_sides(self.mesh, index)
 

@@ -73,13 +73,19 @@ def larger_sides(parted: Mesh, index: np.ndarray) -> np.ndarray:
     return order[np.unique(index[order], return_index=True)[1]]
 
 
-def _fans(faces, edges):
-    """(3 F,) a number for each corner, equal for those at one vertex that edges do not part."""
-    sides, count = Edges(faces), int(max(faces.max(initial=0), edges.max(initial=0))) + 1
-    first, second = sides.pairs().T
+def on_edges(sides: Edges, edges: np.ndarray) -> np.ndarray:
+    """Whether each side of faces lies on one of some edges (n, 2): (3 F,) bool."""
+    count = int(max(sides.ends.max(initial=0), edges.max(initial=0))) + 1
     along = sides.ends @ np.array((count, 1))
     own = np.sort(edges, axis=1).astype(np.int64) @ np.array((count, 1))
-    inner = ~np.isin(along[sides.edge[first]], own)
+    return np.append(np.isin(along, own), False)[sides.edge]  # -1, of no edge, is the last
+
+
+def _fans(faces, edges):
+    """(3 F,) a number for each corner, equal for those at one vertex that edges do not part."""
+    sides = Edges(faces)
+    first, second = sides.pairs().T
+    inner = ~on_edges(sides, edges)[first]
     first, second = first[inner], second[inner]
     start = np.arange(faces.size)
     end = start - start % 3 + (start + 1) % 3
