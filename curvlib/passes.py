@@ -1,6 +1,8 @@
 """Passes over the vertices of a mesh: gather rings, disks or balls in blocks that stay in cache,
 call estimators, scatter their values."""
 
+from functools import cached_property
+
 import numpy as np
 
 from .errors import InputError
@@ -85,7 +87,7 @@ class Passes:
 
     def layers(self, most):
         """How many edges each vertex is from the boundary, (V,), `most` where there are more."""
-        near, found = self._near(), np.full(len(self.vertices), most)
+        near, found = self._near, np.full(len(self.vertices), most)
         there = self._graph.stars != CLOSED
         for k in range(most):
             found[there & (found == most)] = k
@@ -96,7 +98,7 @@ class Passes:
         """Values (c, V), each replaced by the sum over its vertex and those neighbours that have
         its group, so many times; where the last component is 0 then, by that over all neighbours,
         a few times more. `groups`: (V,)."""
-        every = self._near()
+        every = self._near
         within = every.tocoo()
         within.data[groups[within.row] != groups[within.col]] = 0
         within, values = within.tocsr(), np.ascontiguousarray(values.T)
@@ -109,6 +111,7 @@ class Passes:
             values[empty] = every[empty] @ values
         return values.T
 
+    @cached_property
     def _near(self):
         """The matrix of who is a vertex or its neighbour."""
         from scipy.sparse import csr_array, eye_array
