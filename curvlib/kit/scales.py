@@ -29,14 +29,14 @@ def forms(disk, degree: Literal[6, 4] = 6, rings: Literal[8, 13] = 8):
     X, Y, N = _frame(disk)
     found = part(disk.space, FORMS, (3, MOST))
     through = np.nan
+    # One call of the fit, so that it is compiled once; the last is that through the vertex.
     for j in range(MOST + 1):
         there = reach = 0
         if j < MOST:
             reach = OVER[degree // 2 - 2, j]
             # The same neighbours again would look like a fit that stands still.
             there = reach > 0 and disk.hops[disk.count - 1] >= reach
-            for i in range(disk.count):
-                disk.weights[i] = 1.0 if disk.hops[i] <= reach else 0.0
+            _within(disk, reach)
         elif degree == 6:
             there = True
             for i in range(disk.count):
@@ -59,11 +59,17 @@ def _frame(disk):
     """The normal of a polynomial of degree 2 over two rings, with tangents."""
     N = disk.normal
     X, Y = tangents(N)
-    for i in range(disk.count):
-        disk.weights[i] = 1.0 if disk.hops[i] <= 2 else 0.0
+    _within(disk, 2)
     derivatives, _ = fit_polynomial(disk, X, Y, N, 0, 2, CUTOFF)
     _, N = from_graph(*derivatives, X, Y, N)
     return (*tangents(N), N)
+
+
+@kernel
+def _within(disk, rings):
+    """Set the weights of a disk to 1 within some rings, else to 0."""
+    for i in range(disk.count):
+        disk.weights[i] = 1.0 if disk.hops[i] <= rings else 0.0
 
 
 def nearest(points, sample, count):
