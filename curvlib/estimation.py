@@ -51,11 +51,11 @@ def estimate(mesh, estimator=None, threads: int = 1, per: str = "vertex", crease
     per : {"vertex", "face"}
         Values at the vertices, or at the triangles' centres, of an estimator that names it in PER.
     creases : {"ignore", "one-sided", "nan"}, optional
-        "one-sided": where a surface has creases, along which its normal turns or its curvature
-        changes within an edge, the mesh is cut along them (`curvlib.meshes.creases`), so that no
-        value mixes two sides. A vertex on a crease has the value of the larger side, by the area of
-        the connected piece, then by that of its triangles; `Estimates.crease` flags it. "nan": it
-        has none. By default what the estimator names in CREASES: "one-sided" for `adaptive_fit`,
+        "one-sided": where a surface has creases, along which its normal turns out of proportion to
+        its curvature, the mesh is cut along them (`curvlib.meshes.creases`), so that no value mixes
+        two sides. A vertex on a crease has the value of the larger side, by the area of the
+        connected piece, then by that of its triangles; `Estimates.crease` flags it. "nan": it has
+        none. By default what the estimator names in CREASES: "one-sided" for `adaptive_fit`,
         "ignore" for the others.
     **options
         Options of the estimator, its readings; of a list, each member has to know them.
